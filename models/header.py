@@ -1,0 +1,90 @@
+"""Writes `hdl/raytracer.vh`: formats, limits and fault codes for the Verilog, from the tables here.
+
+    python -m models.header            writes the file
+    python -m models.header --check    exit code 1 where the file is not what the tables say
+"""
+
+import argparse
+import sys
+from fractions import Fraction
+from pathlib import Path
+
+from models import limits
+from models.formats import TABLE, Knobs, Row
+
+HEADER = Path(__file__).parents[1] / "hdl" / "raytracer.vh"
+
+_PREAMBLE = """\
+// SPDX-License-Identifier: Apache-2.0
+//
+// Formats, limits and fault codes of the core. Written by `python -m models.header`; do not edit.
+//
+// RT_<NAME>_INT, _FRAC, _W: integer bits (sign included), fraction bits and width of a format.
+// A build sets the guard bits, RT_UNIT_KNOB, RT_POINT_KNOB, RT_COLOUR_KNOB and RT_SCREEN_KNOB, by
+// defining them before this file is read.
+`ifndef RAYTRACER_VH
+`define RAYTRACER_VH
+"""
+
+
+def _knob(name: str) -> str:
+    return f"RT_{name.upper()}_KNOB"
+
+
+def _format(name: str, row: Row) -> list[str]:
+    prefix = f"RT_{name.upper()}"
+    frac = str(row.frac) if isinstance(row.frac, int) else f"`{_knob(row.frac)}"
+    kind = "" if row.signed else "u"
+    return [
+        f"// {kind}[{row.int_bits}.{row.frac}] {row.use}",
+        f"`define {prefix}_INT {row.int_bits}",
+        f"`define {prefix}_FRAC {frac}",
+        f"`define {prefix}_W ({row.int_bits} + {frac})",
+    ]
+
+
+def _distance(name: str, value: Fraction) -> str:
+    """A constant with the fraction of `point`; its denominator is a power of two that every build holds."""
+    shift = value.denominator.bit_length() - 1
+    return f"`define RT_{name} ({value.numerator} << (`RT_POINT_FRAC - {shift}))"
+
+
+def text() -> str:
+    """The whole header."""
+    knobs = Knobs()
+    lines = [_PREAMBLE]
+    for knob, default in vars(knobs).items():
+        lines += [f"`ifndef {_knob(knob)}", f"`define {_knob(knob)} {default}", "`endif"]
+    for name, row in TABLE.items():
+        lines += ["", *_format(name, row)]
+    lines += ["", "// Distances, with the fraction of RT_POINT.", _distance("T_MIN", limits.T_MIN)]
+    lines += [_distance("INFINITY", limits.INFINITY), "", "// Fault codes."]
+    lines += [f"`define RT_FAULT_{fault.name} {fault.value}" for fault in limits.Fault]
+    bits = max(limits.Fault).bit_length()
+    lines += [f"`define RT_FAULT_W {bits}", "", "// Records of a frame, see scene/loader.v."]
+    lines += [f"`define RT_RECORD_{kind.name} {kind.value}" for kind in limits.Record]
+    lines += [f"`define RT_RECORD_SLOTS {limits.RECORD_SLOTS}"]
+    lines += [f"`define RT_SPHERE_SLOTS {limits.SPHERE_SLOTS}", "", "`endif", ""]
+    return "\n".join(lines)
+
+
+def defines(knobs: Knobs) -> dict[str, int]:
+    """The macros that select a build."""
+    return {_knob(name): value for name, value in vars(knobs).items()}
+
+
+def main() -> int:
+    """Command line; see the module's docstring."""
+    parser = argparse.ArgumentParser(description="Writes hdl/raytracer.vh from the tables.")
+    parser.add_argument("--check", action="store_true", help="only compare")
+    if not parser.parse_args().check:
+        HEADER.write_text(text())
+        return 0
+    if HEADER.exists() and HEADER.read_text() == text():
+        return 0
+    print(f"{HEADER.name} is not what the tables say: run `python -m models.header`", file=sys.stderr)
+    return 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,1 @@
+"""Scenes: their types, the packed frame, and the files they come from."""

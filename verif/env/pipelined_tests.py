@@ -1,0 +1,131 @@
+"""The tests that every pipelined unit has; a unit's `bench.py` takes them with `standard_tests`."""
+
+from collections.abc import Awaitable, Callable
+from typing import Any
+
+import cocotb
+from cocotb.task import resume
+from cocotb.triggers import with_timeout
+from hypothesis import strategies as st
+
+from verif.env import context, operands, properties
+from verif.env.clocking import PERIOD_NS
+from verif.env.fields import Operands, concatenate, count, every, select
+from verif.env.pipelined import Mismatch, PipelinedBench
+from verif.env.unit import PipelinedUnit
+
+_CHUNK = 20_000
+_GAPS = st.lists(st.integers(0, 3), max_size=8)
+
+
+def standard_tests(unit: PipelinedUnit) -> dict[str, Any]:
+    """Cocotb tests by name, for the globals of a bench module."""
+    bodies: tuple[Callable[..., Awaitable[None]], ...] = (
+        every_operand_drawn_gives_the_models_result,
+        a_fast_stream_matches_the_model,
+        every_operand_of_a_narrow_unit_matches_the_model,
+        reset_drops_what_is_in_flight_and_nothing_after,
+        rate_is_one_operand_a_clock_at_the_promised_latency,
+    )
+    return {body.__name__: _as_test(body, unit) for body in bodies}
+
+
+def _as_test(body: Callable[..., Awaitable[None]], unit: PipelinedUnit) -> Any:
+    async def test(dut: Any) -> None:
+        run = context.read()
+        await body(await PipelinedBench.create(dut, unit, run.parameters), run)
+
+    test.__name__ = test.__qualname__ = body.__name__
+    test.__doc__ = body.__doc__
+    test.__module__ = f"verif.units.{unit.name}.bench"
+    return cocotb.test()(test)
+
+
+async def within_time(bench: PipelinedBench, drawn: Operands, gaps: list[int]) -> None:
+    """Resets, runs one batch; a hang fails instead of waiting for ever."""
+    clocks = count(drawn) * (2 + max(gaps, default=0)) + bench.unit.latency(bench.parameters) + 100
+    await bench.reset()
+    await with_timeout(bench.run(drawn, gaps), clocks * PERIOD_NS, "ns")
+
+
+async def every_operand_drawn_gives_the_models_result(bench: PipelinedBench, run: context.Context) -> None:
+    """Property over operands and idle clocks; shrinks to one operand."""
+    example = resume(within_time)
+
+    def body(drawn: Operands, gaps: list[int]) -> None:
+        example(bench, bench.unit.legal(run.parameters, drawn), gaps)
+
+    await properties.check(run, body, operands.batches(bench.unit.inputs(run.parameters)), _GAPS)
+
+
+async def a_fast_stream_matches_the_model(bench: PipelinedBench, run: context.Context) -> None:
+    """Volume: seeded operands of mixed classes, back to back."""
+    done, part = 0, 0
+    while done < run.operands:
+        generator = run.generator(part)
+        size = min(_CHUNK, run.operands - done)
+        done += await bench.run(_mixed(bench.unit, generator, run, size))
+        part += 1
+    bench.log.info("%d operands checked", done)
+
+
+def _mixed(unit: PipelinedUnit, generator: Any, run: context.Context, size: int) -> Operands:
+    drawn = operands.stream(generator, unit.inputs(run.parameters), size)
+    if unit.directed is not None:
+        directed = unit.directed(run.parameters, generator, size // 2)
+        kept = select(drawn, slice(0, size - count(directed)))
+        drawn = select(concatenate([kept, directed]), generator.permutation(size))
+    return unit.legal(run.parameters, drawn)
+
+
+async def every_operand_of_a_narrow_unit_matches_the_model(
+    bench: PipelinedBench, run: context.Context
+) -> None:
+    """All combinations, in the parameter set that is narrow enough; other sets have none to try."""
+    if run.parameter_set != bench.unit.exhaustive:
+        return
+    everything = bench.unit.legal(run.parameters, every(bench.unit.inputs(run.parameters)))
+    checked = 0
+    for start in range(0, count(everything), _CHUNK):
+        checked += await bench.run(select(everything, slice(start, start + _CHUNK)))
+    assert checked == count(everything)
+    bench.log.info("%d operands checked, all there are", checked)
+
+
+async def reset_drops_what_is_in_flight_and_nothing_after(
+    bench: PipelinedBench, run: context.Context
+) -> None:
+    """Reset at a drawn moment: no result of before comes out, the next operands are exact."""
+
+    async def example(before: Operands, after: Operands, wait: int) -> None:
+        await bench.reset()
+        await bench.drive(before)
+        await bench.clocking.cycles(wait)
+        await bench.reset()
+        await bench.drain()
+        if bench.compare():
+            raise Mismatch("a result of before the reset came out after it")
+        await bench.run(after)
+
+    step = resume(example)
+    latency = bench.unit.latency(run.parameters)
+    batch = operands.batches(bench.unit.inputs(run.parameters), 8)
+
+    def body(before: Operands, after: Operands, wait: int) -> None:
+        legal = bench.unit.legal
+        step(legal(run.parameters, before), legal(run.parameters, after), wait)
+
+    await properties.check(run, body, batch, batch, st.integers(0, latency))
+
+
+async def rate_is_one_operand_a_clock_at_the_promised_latency(
+    bench: PipelinedBench, run: context.Context
+) -> None:
+    """As many results as operands in as many clocks; the checker holds each to the latency."""
+    size = 2 * bench.unit.latency(run.parameters) + 16
+    drawn = _mixed(bench.unit, run.generator(1 << 16), run, size)
+    await bench.drive(drawn)
+    await bench.drain()
+    clocks = bench.result_clocks()
+    assert clocks == list(range(clocks[0], clocks[0] + size)), "results did not come one a clock"
+    assert bench.compare() == size
