@@ -1,7 +1,7 @@
 """Writes `hdl/raytracer.vh`: formats, limits and fault codes for the Verilog, from the tables here.
 
-    python -m models.header            writes the file
-    python -m models.header --check    exit code 1 where the file is not what the tables say
+python -m models.header            writes the file
+python -m models.header --check    exit code 1 where the file is not what the tables say
 """
 
 import argparse

@@ -81,7 +81,9 @@ class Checker:
             raise Mismatch("tags come out in another order than they went in")
         expected = self.unit.model(self.parameters, operands)
         for port in outputs:
-            wrong = (expected[port.name] != results[port.name]).reshape(port.lanes, -1).any(axis=0).nonzero()[0]
+            wrong = (
+                (expected[port.name] != results[port.name]).reshape(port.lanes, -1).any(axis=0).nonzero()[0]
+            )
             if wrong.size:
                 index = int(wrong[0])
                 lines = [f"operand {index} of {count(operands)} ({wrong.size} wrong):"]
