@@ -60,9 +60,6 @@ module raytracer #(
     output wire [                31:0] lights_at_point
 );
 
-    localparam MAX_LIGHTS = 1;
-    localparam MAX_SPHERES = 1;
-    localparam MAX_TRIANGLES = 0;
     localparam SLOT_W = $clog2(PIXELS_IN_FLIGHT);
     localparam DEPTH_W = 3;
     localparam COORD_W = `RT_COORD_W;
@@ -89,9 +86,9 @@ module raytracer #(
         .LIGHT_COUNT_W   (LIGHT_COUNT_W),
         .SPHERE_COUNT_W  (SPHERE_COUNT_W),
         .TRIANGLE_COUNT_W(TRIANGLE_COUNT_W),
-        .MAX_LIGHTS      (MAX_LIGHTS),
-        .MAX_SPHERES     (MAX_SPHERES),
-        .MAX_TRIANGLES   (MAX_TRIANGLES)
+        .MAX_LIGHTS      (`RT_MAX_LIGHTS),
+        .MAX_SPHERES     (`RT_MAX_SPHERES),
+        .MAX_TRIANGLES   (`RT_MAX_TRIANGLES)
     ) u_loader (
         .clk         (clk),
         .rst         (rst),
@@ -131,8 +128,8 @@ module raytracer #(
     wire unused_radius = &{1'b0, radius_slot[COORD_W-1:`RT_RADIUS_W]};
 
     scene_memory #(
-        .LIGHTS (MAX_LIGHTS),
-        .SPHERES(MAX_SPHERES)
+        .LIGHTS (`RT_MAX_LIGHTS),
+        .SPHERES(`RT_MAX_SPHERES)
     ) u_scene (
         .clk         (clk),
         .rst         (rst),

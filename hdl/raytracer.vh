@@ -101,6 +101,11 @@
 `define RT_CHANNEL_FRAC 0
 `define RT_CHANNEL_W (8 + 0)
 
+// Capacity of a frame.
+`define RT_MAX_LIGHTS 1
+`define RT_MAX_SPHERES 1
+`define RT_MAX_TRIANGLES 0
+
 // Distances, with the fraction of RT_POINT.
 `define RT_T_MIN (1 << (`RT_POINT_FRAC - 6))
 `define RT_INFINITY (262143 << (`RT_POINT_FRAC - 10))

@@ -57,6 +57,9 @@ def text() -> str:
         lines += [f"`ifndef {_knob(knob)}", f"`define {_knob(knob)} {default}", "`endif"]
     for name, row in TABLE.items():
         lines += ["", *_format(name, row)]
+    lines += ["", "// Capacity of a frame."]
+    for name in ("MAX_LIGHTS", "MAX_SPHERES", "MAX_TRIANGLES"):
+        lines += [f"`define RT_{name} {getattr(limits, name)}"]
     lines += ["", "// Distances, with the fraction of RT_POINT.", _distance("T_MIN", limits.T_MIN)]
     lines += [_distance("INFINITY", limits.INFINITY), "", "// Fault codes."]
     lines += [f"`define RT_FAULT_{fault.name} {fault.value}" for fault in limits.Fault]

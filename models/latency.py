@@ -6,10 +6,15 @@ the default of the module.
 
 from collections.abc import Callable, Mapping
 
+from models.formats import Knobs, formats
+
 Parameters = Mapping[str, int]
 
 _MUL = 3
+_BLOCK_SHIFT = 2
 _RESULT_REGISTER = 1
+_DOT = _MUL + 1 + _RESULT_REGISTER
+_PRODUCT = _MUL + _RESULT_REGISTER
 
 
 def _constant(clocks: int) -> Callable[[Parameters], int]:
@@ -44,26 +49,85 @@ def _normalise(parameters: Parameters) -> int:
     return _norm(parameters) + _div_core({"QUOT_W": parameters.get("OUT_FRAC", 10) + 1}) + sign
 
 
+def _object_setup(_: Parameters) -> int:
+    done_register = 1
+    return formats(Knobs()).inv_radius.width + done_register
+
+
+def _camera(_: Parameters) -> int:
+    """Of a camera without a fault: d and u are normalised together, v behind them."""
+    fmts = formats(Knobs())
+    view = asked = done = 1
+    products = 6 + _MUL
+    bases = 2 * (asked + _unit_vector({})) + asked
+    divisions = 6 * (asked + fmts.span.width)
+    return view + 3 * products + bases + divisions + done
+
+
+def _unit_vector(_: Parameters) -> int:
+    fmts = formats(Knobs())
+    unit = {"INT": 1, "FRAC": fmts.mantissa.frac_bits, "OUT_FRAC": fmts.unit.frac_bits}
+    return _BLOCK_SHIFT + _normalise(unit)
+
+
+def _light_vector(_: Parameters) -> int:
+    difference = limit = 1
+    return difference + _unit_vector({}) + limit
+
+
+def _sphere_intersect(_: Parameters) -> int:
+    center = offset = square_sum = discriminant = ends = hit = 1
+    root = _sqrt({"D_W": 2 * formats(Knobs()).half_chord.width})
+    to_offset = center + _DOT + _PRODUCT + offset
+    return to_offset + _MUL + square_sum + discriminant + root + ends + hit
+
+
+_SURFACE = _PRODUCT + 1 + _PRODUCT
+_REFLECT = _DOT + _PRODUCT + 1
+_HIGHLIGHT = 4 * _PRODUCT
+_COLOUR_ADD = 1
+_PHONG = _DOT + _HIGHLIGHT + _PRODUCT + _COLOUR_ADD + _PRODUCT + _RESULT_REGISTER
+
+
+def _shader(_: Parameters) -> int:
+    background = 1
+    hit = _SURFACE + _REFLECT
+    light = _light_vector({}) + _sphere_intersect({}) + _PHONG
+    return hit + light + _COLOUR_ADD + background + _PRODUCT
+
+
 LATENCY: dict[str, Callable[[Parameters], int]] = {
     "add_sub": _constant(1),
-    "block_shift": _constant(2),
-    "cross_product": _constant(_MUL + 1 + _RESULT_REGISTER),
+    "block_shift": _constant(_BLOCK_SHIFT),
+    "camera": _camera,
+    "colour_add": _constant(_COLOUR_ADD),
+    "cross_product": _constant(_DOT),
     "delay": lambda parameters: parameters.get("DEPTH", 1),
     "div": _div,
     "div_core": _div_core,
     "div_iter": lambda parameters: parameters.get("NUM_W", 24),
-    "dot": _constant(_MUL + 1 + _RESULT_REGISTER),
+    "dot": _constant(_DOT),
+    "highlight": _constant(_HIGHLIGHT),
     "iterate": lambda parameters: parameters.get("STEPS", 20),
+    "light_vector": _light_vector,
     "mul": _constant(_MUL),
     "mul_piece": _constant(1),
     "norm": _norm,
     "normalise": _normalise,
+    "object_setup": _object_setup,
+    "phong": _constant(_PHONG),
+    "reflect": _constant(_REFLECT),
     "resize": _constant(0),
+    "rgb888": _constant(1),
+    "shader": _shader,
+    "sphere_intersect": _sphere_intersect,
     "sqrt": _sqrt,
     "sqrt_iter": lambda parameters: parameters.get("D_W", 40) // 2,
     "sqrt_step": _constant(0),
+    "surface": _constant(_SURFACE),
+    "unit_vector": _unit_vector,
     "valid_pipe": lambda parameters: parameters.get("LATENCY", 1),
-    "vec_mul": _constant(_MUL + _RESULT_REGISTER),
-    "vec_scale": _constant(_MUL + _RESULT_REGISTER),
+    "vec_mul": _constant(_PRODUCT),
+    "vec_scale": _constant(_PRODUCT),
 }
 """Latency of each module as a function of its parameters."""

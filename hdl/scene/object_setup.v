@@ -12,7 +12,7 @@
 //   done           one clock; the results (RT_RADIUS_SQ, RT_INV_RADIUS, RT_SHADE) hold from it on
 //                  until the next start
 //
-// Latency RT_INV_RADIUS_W + 2 clocks from start to done.
+// Latency RT_INV_RADIUS_W + 1 clocks from start to done.
 
 `default_nettype none
 `include "raytracer.vh"

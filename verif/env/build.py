@@ -21,6 +21,10 @@ _VERILATOR = ("--x-assign", "unique", "--x-initial", "unique", "-Wno-fatal")
 _ICARUS = ("-Wall", "-Wno-timescale")
 
 
+_DONE = "built"
+"""Name of the file that tells a finished build."""
+
+
 class BuildError(RuntimeError):
     """A build failed; the text names the top module and the log."""
 
@@ -32,7 +36,8 @@ class Build:
     top: module at the top; parameters and defines: what it is built with; waves: with signal
     traces; harness: text of a generated top module, in place of a file of that name; control: text
     of a Verilator control file that names the signals that stay visible (all, without it);
-    optimise: the C++ compiler's level; label: what the folder is called, if not after the top.
+    optimise: the C++ compiler's level; label: what the folder is called, if not after the top;
+    replacements: text to build in place of what some files hold.
     """
 
     top: str
@@ -44,6 +49,7 @@ class Build:
     control: str | None = None
     optimise: str = "-O1"
     label: str = ""
+    replacements: Mapping[Path, str] = field(default_factory=dict)
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -61,7 +67,15 @@ class Build:
                 (self.directory / name).write_text(text)
                 written.append(self.directory / name)
         control = [path for path in written if path.suffix == ".vlt"]
-        return (*control, *self.files, *(path for path in written if path not in control))
+        files = [self._replaced(path) for path in self.files]
+        return (*control, *files, *(path for path in written if path not in control))
+
+    def _replaced(self, path: Path) -> Path:
+        if path not in self.replacements:
+            return path
+        copy = self.directory / path.name
+        copy.write_text(self.replacements[path])
+        return copy
 
     @property
     def key(self) -> str:
@@ -73,13 +87,19 @@ class Build:
         settings += [_VERILATOR, _ICARUS, str(sources.ROOT)]
         digest.update(json.dumps(settings).encode())
         for path in (*self.files, *sources.headers()):
-            digest.update(path.read_bytes())
+            digest.update(self.replacements.get(path, path.read_text()).encode())
         return digest.hexdigest()[:16]
 
     @property
     def directory(self) -> Path:
         """Where the build is kept."""
         return CACHE / "sim" / f"{self.label or self.top}-{self.simulator}-{self.key}"
+
+
+    @property
+    def ready(self) -> bool:
+        """The build has been made before."""
+        return (self.directory / _DONE).exists()
 
 
 @contextmanager
@@ -128,7 +148,7 @@ def ensure(build: Build) -> Path:
 
     Raises BuildError where the compiler refuses it, with the end of its log.
     """
-    directory, done = build.directory, build.directory / "built"
+    directory, done = build.directory, build.directory / _DONE
     with _locked(directory.with_suffix(".lock")):
         if not done.exists():
             shutil.rmtree(directory, ignore_errors=True)

@@ -15,15 +15,15 @@ class Clocking:
     """
 
     def __init__(self, dut: Any) -> None:
-        self._rst = dut.rst
+        self._dut = dut
         self.edge = RisingEdge(dut.clk)
         Clock(dut.clk, PERIOD_NS, "ns", impl="gpi").start()
 
     async def reset(self, cycles: int = 2) -> None:
         """Holds reset for some clocks; returns at the edge after which the design runs."""
-        self._rst.value = 1
+        self._dut.rst.value = 1
         await self.cycles(cycles)
-        self._rst.value = 0
+        self._dut.rst.value = 0
         await self.edge
 
     async def cycles(self, number: int) -> None:

@@ -17,17 +17,18 @@ Operands = Mapping[str, Raw]
 
 @dataclass(frozen=True)
 class Field:
-    """One port: ``lanes`` numbers of ``width`` bits (at most 63) each."""
+    """One port: ``lanes`` numbers of ``width`` bits (at most 63) each, ``frac_bits`` of them fraction."""
 
     name: str
     width: int
     lanes: int = 1
     signed: bool = True
+    frac_bits: int = 0
 
     @classmethod
     def of(cls, name: str, fmt: Format, lanes: int = 1) -> "Field":
         """A port that carries numbers of a format."""
-        return cls(name, fmt.width, lanes, fmt.signed)
+        return cls(name, fmt.width, lanes, fmt.signed, fmt.frac_bits)
 
     @property
     def bits(self) -> int:
@@ -99,8 +100,16 @@ def every(fields: Sequence[Field]) -> Operands:
 
 
 def describe(field: Field, values: Raw, index: int) -> str:
-    """One operand, as a person reads it: each lane in decimal and in hexadecimal."""
-    mask = (1 << field.width) - 1
+    """One operand, as a person reads it: each lane's raw integer, its bits, and the number it means."""
     lanes = [int(lane[index]) for lane in values.reshape(field.lanes, -1)]
-    text = ", ".join(f"{lane} (0x{lane & mask:x})" for lane in lanes)
-    return f"{field.name} = {text}"
+    return f"{field.name} = {', '.join(_describe_lane(field, lane) for lane in lanes)}"
+
+
+def _describe_lane(field: Field, raw: int) -> str:
+    number = f" = {raw / (1 << field.frac_bits)}" if field.frac_bits else ""
+    return f"{raw} (0x{raw & ((1 << field.width) - 1):x}{number})"
+
+
+def describe_all(fields: Sequence[Field], operands: Operands, index: int) -> str:
+    """One operand with all its fields, one a line, indented."""
+    return "\n".join(f"  {describe(field, operands[field.name], index)}" for field in fields)

@@ -12,8 +12,14 @@ from verif.env.unit import TAG_W, Parameters, PipelinedUnit
 TOP = "harness"
 """Name of the generated module."""
 
-CONTROL = f'`verilator_config\npublic_flat_rw -module "{TOP}" -var "*"\n'
-"""Verilator control file that keeps just the harness' ports visible."""
+
+def control(top: str) -> str:
+    """Verilator control file that keeps just the signals of the top module visible."""
+    return f'`verilator_config\npublic_flat_rw -module "{top}" -var "*"\n'
+
+
+CONTROL = control(TOP)
+"""Control file of the generated module."""
 
 
 def framed(fields: Sequence[Field]) -> tuple[Field, ...]:
@@ -44,7 +50,7 @@ def verilog(unit: PipelinedUnit, parameters: Parameters) -> str:
             f"    input wire [{sum(field.bits for field in given) - 1}:0] in,",
             f"    output wire [{sum(field.bits for field in got) - 1}:0] out",
             ");",
-            f"    {unit.name} #({values}) dut (",
+            f"    {unit.module} #({values}) dut (",
             "        " + ",\n        ".join(ports),
             "    );",
             "endmodule",

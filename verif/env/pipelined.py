@@ -13,7 +13,7 @@ import cocotb
 import numpy as np
 
 from verif.env.clocking import Clocking
-from verif.env.fields import Field, Operands, count, describe, join, split
+from verif.env.fields import Field, Operands, count, describe, describe_all, join, split
 from verif.env.harness import framed
 from verif.env.unit import TAG_W, Parameters, PipelinedUnit
 
@@ -87,7 +87,7 @@ class Checker:
             if wrong.size:
                 index = int(wrong[0])
                 lines = [f"operand {index} of {count(operands)} ({wrong.size} wrong):"]
-                lines += [f"  {describe(entry, operands[entry.name], index)}" for entry in inputs]
+                lines += [describe_all(inputs, operands, index)]
                 lines += [f"  expected {describe(port, expected[port.name], index)}"]
                 lines += [f"  got      {describe(port, results[port.name], index)}"]
                 raise Mismatch("\n".join(lines))
@@ -163,6 +163,18 @@ class PipelinedBench:
         self._given.trace.clear()
         self._got.trace.clear()
         return checked
+
+    async def answers(self, operands: Operands) -> tuple[Operands, Operands]:
+        """Operands and results as the monitors saw them, in order, not yet compared."""
+        await self.drive(operands)
+        await self.drain()
+        given = self._given.trace.operands(self._inputs)
+        got = self._got.trace.operands(self.unit.outputs(self.parameters))
+        if count(given) != count(got):
+            raise Mismatch(f"{count(given)} operands in, {count(got)} results out")
+        self._given.trace.clear()
+        self._got.trace.clear()
+        return given, got
 
     async def run(self, operands: Operands, gaps: Sequence[int] = ()) -> int:
         """Drives, drains and checks; returns the number of operands checked."""

@@ -1,4 +1,7 @@
-"""The tests that every pipelined unit has; a unit's `bench.py` takes them with `standard_tests`."""
+"""The tests that every pipelined unit has; a unit's `bench.py` takes them with `standard_tests`.
+
+The mixed operands of a fast stream serve the valid/ready units as well (`verif.env.stream_tests`).
+"""
 
 from collections.abc import Awaitable, Callable
 from typing import Any
@@ -7,19 +10,22 @@ import cocotb
 from cocotb.task import resume
 from cocotb.triggers import with_timeout
 from hypothesis import strategies as st
+from numpy.random import Generator
 
-from verif.env import context, operands, properties
+from verif.env import context, definitions, operands, properties
 from verif.env.clocking import PERIOD_NS
+from verif.env.definitions import Definition
 from verif.env.fields import Operands, concatenate, count, every, select
 from verif.env.pipelined import Mismatch, PipelinedBench
-from verif.env.unit import PipelinedUnit
+from verif.env.unit import ArithmeticUnit, PipelinedUnit
 
 _CHUNK = 20_000
+_RATE_STREAM, _DEFINITION_STREAM = 1 << 16, 1 << 17
 _GAPS = st.lists(st.integers(0, 3), max_size=8)
 
 
-def standard_tests(unit: PipelinedUnit) -> dict[str, Any]:
-    """Cocotb tests by name, for the globals of a bench module."""
+def standard_tests(unit: PipelinedUnit, *statements: Definition) -> dict[str, Any]:
+    """Cocotb tests by name, for the globals of a bench module: the standard ones and a unit's definitions."""
     bodies: tuple[Callable[..., Awaitable[None]], ...] = (
         every_operand_drawn_gives_the_models_result,
         a_fast_stream_matches_the_model,
@@ -27,7 +33,19 @@ def standard_tests(unit: PipelinedUnit) -> dict[str, Any]:
         reset_drops_what_is_in_flight_and_nothing_after,
         rate_is_one_operand_a_clock_at_the_promised_latency,
     )
+    bodies += tuple(_as_body(statement) for statement in statements)
     return {body.__name__: _as_test(body, unit) for body in bodies}
+
+
+def _as_body(statement: Definition) -> Callable[..., Awaitable[None]]:
+    async def body(bench: PipelinedBench, run: context.Context) -> None:
+        drawn = mixed(bench.unit, run.generator(_DEFINITION_STREAM), run, min(run.operands, _CHUNK))
+        given, got = await bench.answers(drawn)
+        definitions.check(statement, bench.unit, run.parameters, given, got)
+
+    body.__name__ = statement.__name__
+    body.__doc__ = statement.__doc__
+    return body
 
 
 def _as_test(body: Callable[..., Awaitable[None]], unit: PipelinedUnit) -> Any:
@@ -64,15 +82,17 @@ async def a_fast_stream_matches_the_model(bench: PipelinedBench, run: context.Co
     while done < run.operands:
         generator = run.generator(part)
         size = min(_CHUNK, run.operands - done)
-        done += await bench.run(_mixed(bench.unit, generator, run, size))
+        done += await bench.run(mixed(bench.unit, generator, run, size))
         part += 1
     bench.log.info("%d operands checked", done)
 
 
-def _mixed(unit: PipelinedUnit, generator: Any, run: context.Context, size: int) -> Operands:
+def mixed(unit: ArithmeticUnit, generator: Generator, run: context.Context, size: int) -> Operands:
+    """Legal operands of all classes, the unit's own among them."""
     drawn = operands.stream(generator, unit.inputs(run.parameters), size)
     if unit.directed is not None:
         directed = unit.directed(run.parameters, generator, size // 2)
+        directed = select(directed, slice(0, size // 2))
         kept = select(drawn, slice(0, size - count(directed)))
         drawn = select(concatenate([kept, directed]), generator.permutation(size))
     return unit.legal(run.parameters, drawn)
@@ -123,7 +143,7 @@ async def rate_is_one_operand_a_clock_at_the_promised_latency(
 ) -> None:
     """As many results as operands in as many clocks; the checker holds each to the latency."""
     size = 2 * bench.unit.latency(run.parameters) + 16
-    drawn = _mixed(bench.unit, run.generator(1 << 16), run, size)
+    drawn = mixed(bench.unit, run.generator(_RATE_STREAM), run, size)
     await bench.drive(drawn)
     await bench.drain()
     clocks = bench.result_clocks()

@@ -1,8 +1,8 @@
 """Hypothesis inside a running simulation: one thread a property, every example on the live design.
 
-A property is a plain function; what it does to the design goes through `cocotb.task.resume`. At a
-desk failing examples come back from the example database; where there is none (CI) the seed
-decides, and a failure prints the blob that reproduces it.
+A property is a plain function; what it does to the design goes through `cocotb.task.resume`. The
+seed decides what is drawn, so a run repeats; at a desk failing examples of earlier runs come first,
+from the example database. A failure prints the blob that reproduces it.
 """
 
 from collections.abc import Callable
@@ -29,7 +29,5 @@ async def check(context: Context, body: Callable[..., Any], *strategies: st.Sear
         database=None if database is None else DirectoryBasedExampleDatabase(str(database)),
         suppress_health_check=list(HealthCheck),
     )
-    wrapped = configured(given(*strategies)(body))
-    if database is None:
-        wrapped = seed(context.seed)(wrapped)
-    await bridge(wrapped)()
+    # In this order: `seed` switches the database off, and the settings put it back.
+    await bridge(configured(seed(context.seed)(given(*strategies)(body))))()

@@ -1,0 +1,107 @@
+"""Bench of a block that is no pipeline: its ports by name, one clock at a time, and properties of it.
+
+What is read after `clock` are the outputs of the clock that has just ended, settled with the inputs
+that were set for it.
+"""
+
+from collections.abc import Awaitable, Callable, Sequence
+from typing import Any
+
+from cocotb.task import resume
+from hypothesis import strategies as st
+
+from models.fixed import Raw
+from verif.env import properties
+from verif.env.clocking import Clocking
+from verif.env.context import Context
+from verif.env.fields import Field, Operands, join, split
+from verif.env.pipelined import Mismatch
+
+
+class Block:
+    """A block under test.
+
+    Inputs hold until they are set again; reset lowers those in ``idle``. `now` counts clocks.
+    """
+
+    def __init__(self, dut: Any, idle: Sequence[str]) -> None:
+        self._dut = dut
+        self._clocking = Clocking(dut)
+        self._idle = idle
+        self._ports: dict[str, Any] = {}
+        self._set: dict[str, int] = {}
+        self.log = dut._log
+        self.now = 0
+
+    def _port(self, name: str) -> Any:
+        if name not in self._ports:
+            self._ports[name] = getattr(self._dut, name)
+        return self._ports[name]
+
+    def set(self, **inputs: int) -> None:
+        """Inputs from now on."""
+        for name, value in inputs.items():
+            if self._set.get(name) != value:
+                self._port(name).value = value
+                self._set[name] = value
+
+    def set_fields(self, fields: Sequence[Field], operands: Operands) -> None:
+        """Inputs that are vectors or signed; one operand."""
+        self.set(**{field.name: join((field,), operands)[0] for field in fields})
+
+    async def clock(self, **inputs: int) -> None:
+        """Sets inputs and lets one clock pass."""
+        self.set(**inputs)
+        await self._clocking.edge
+        self.now += 1
+
+    async def clocks(self, number: int) -> None:
+        """Lets clocks pass."""
+        for _ in range(number):
+            await self.clock()
+
+    async def reset(self, cycles: int = 2) -> None:
+        """Resets the block, wherever it is; the next clock is the first one after it."""
+        self.set(**dict.fromkeys(self._idle, 0))
+        await self.clock(rst=1)
+        for _ in range(cycles - 1):
+            await self.clock()
+        self.set(rst=0)
+
+    def read(self, name: str) -> int:
+        """An output as an unsigned number. Mismatch where a bit of it is unknown."""
+        value = self._port(name).value
+        try:
+            return int(value)
+        except ValueError:
+            raise Mismatch(f"clock {self.now}: {name} has unknown bits: {value}") from None
+
+    def read_field(self, field: Field) -> Raw:
+        """An output's numbers: shape (lanes, 1), or (1,) where it has one lane."""
+        return split((field,), [self.read(field.name)])[field.name]
+
+    async def until(self, name: str, limit: int) -> int:
+        """Waits until an output is high; the number of clocks that took. Mismatch after ``limit``."""
+        for waited in range(1, limit + 1):
+            await self.clock()
+            if self.read(name):
+                return waited
+        raise Mismatch(f"no {name} after {limit} clocks")
+
+
+def same(what: str, expected: object, got: object) -> None:
+    """Raises Mismatch where two values differ."""
+    if expected != got:
+        raise Mismatch(f"{what}: expected {expected}, got {got}")
+
+
+async def holds(
+    run: Context, example: Callable[..., Awaitable[None]], *strategies: st.SearchStrategy[Any]
+) -> None:
+    """Property of the running design: ``example`` is a coroutine function of what is drawn."""
+    step: Callable[..., Any] = resume(example)  # type: ignore[arg-type]
+
+    def body(drawn: tuple[Any, ...]) -> None:
+        step(*drawn)
+
+    await properties.check(run, body, st.tuples(*strategies))

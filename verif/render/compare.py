@@ -1,0 +1,95 @@
+"""The RTL's picture against the bit-exact model and the reference: numbers, and where it goes wrong."""
+
+import math
+import time
+from dataclasses import asdict, dataclass
+
+import numpy as np
+
+from models import images, reference
+from models.core import Rendering, render
+from models.limits import DEPTH
+from models.reference import Rendering as ReferenceRendering
+from verif.env.simulators import version
+from verif.render.job import Job
+from verif.render.simulate import Drawn
+
+
+@dataclass(frozen=True)
+class Summary:
+    """What `summary.json` holds.
+
+    mismatched_pixels: RTL against the bit-exact model, colour or object. hit_mismatch_percent: primary
+    rays of the RTL that hit another object than the reference's. psnr_db: RTL against the reference, None
+    where the pictures are equal. simulation_seconds: from the first word of the frame to the last pixel.
+    """
+
+    scene: str
+    width: int
+    height: int
+    pixels: int
+    mismatched_pixels: int
+    hit_mismatch_percent: float
+    psnr_db: float | None
+    cycles: int
+    cycles_per_pixel: float
+    simulation_seconds: float
+    pixels_per_second: float
+    model_seconds: float
+    reference_seconds: float
+    simulator: str
+    build: str
+
+    def as_dict(self) -> dict[str, object]:
+        """Names and values, for JSON."""
+        return asdict(self)
+
+
+@dataclass(frozen=True)
+class Expected:
+    """Both pictures that the RTL's is held against, and the seconds that each took."""
+
+    model: Rendering
+    model_seconds: float
+    reference: ReferenceRendering
+    reference_seconds: float
+
+
+def expect(job: Job) -> Expected:
+    """Draws the model's and the reference's picture."""
+    start = time.perf_counter()
+    model = render(job.file.scene, job.registers, job.formats)
+    middle = time.perf_counter()
+    ideal = reference.render(job.file.scene, job.view, max_depth=DEPTH)
+    return Expected(model, middle - start, ideal, time.perf_counter() - middle)
+
+
+def wrong_pixels(drawn: Drawn, expected: Expected) -> list[tuple[int, int]]:
+    """Pixels (x, y), in picture order, whose colour or object is not the model's."""
+    wrong = (drawn.rgb != expected.model.rgb).any(axis=-1) | (drawn.hit != expected.model.hit)
+    return [(int(x), int(y)) for y, x in zip(*np.nonzero(wrong), strict=True)]
+
+
+def summarise(job: Job, drawn: Drawn, expected: Expected) -> Summary:
+    """All figures of a picture."""
+    pixels = job.view.width * job.view.height
+    psnr = images.psnr_db(drawn.rgb, expected.reference.rgb)
+    return Summary(
+        scene=str(job.file.path),
+        width=job.view.width,
+        height=job.view.height,
+        pixels=pixels,
+        mismatched_pixels=len(wrong_pixels(drawn, expected)),
+        hit_mismatch_percent=images.hit_mismatch_percent(
+            drawn.hit.astype(np.int32), expected.reference.hit
+        ),
+        psnr_db=None if math.isinf(psnr) else psnr,
+        cycles=drawn.cycles,
+        cycles_per_pixel=drawn.cycles / pixels,
+        simulation_seconds=drawn.seconds,
+        pixels_per_second=pixels / drawn.seconds,
+        model_seconds=expected.model_seconds,
+        reference_seconds=expected.reference_seconds,
+        simulator=version(job.simulator),
+        build=job.build,
+    )

@@ -1,0 +1,1 @@
+"""Bench of the camera, with the normaliser that the core lends it."""

@@ -1,0 +1,1 @@
+"""Bench of the light that one lamp adds to a hit."""

@@ -1,0 +1,1 @@
+"""Bench of the stepper of columns and rows."""
