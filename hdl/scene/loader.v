@@ -224,7 +224,8 @@ module loader #(
 
     // A frame ends where its last word has arrived and nothing is left to read.
     reg [`RT_FAULT_W-1:0] fault_reg;
-    assign finish = section_reg == S_END && !too_long || section_reg == S_DRAIN && drained_reg;
+    wire whole = section_reg == S_END && !too_long;
+    assign finish = busy_reg && (whole || section_reg == S_DRAIN && drained_reg);
 
     always @(posedge clk) begin
         if (rst || finish) busy_reg <= 1'b0;

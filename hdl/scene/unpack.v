@@ -54,15 +54,17 @@ module unpack #(
     assign surplus     = count_reg >= 7'd32;
     assign field_valid = count_reg >= wanted;
     assign short       = ended_reg && !field_valid;
-    assign in_ready    = !ended_reg && count_reg <= 7'd32;
 
     wire [63:0] aligned = buffer_reg >> (7'd64 - wanted);
     wire unused_aligned = &{1'b0, aligned[63:FIELD_W]};
     assign field = aligned[FIELD_W-1:0];
 
-    wire push = in_valid && in_ready;
+    // A word fits where what is left beside the field that is taken leaves room for it.
     wire [6:0] taken = field_take ? wanted : 7'd0;
     wire [6:0] left = count_reg - taken;
+    assign in_ready = !ended_reg && left <= 7'd32;
+
+    wire push = in_valid && in_ready;
     wire [63:0] left_bits = buffer_reg << taken;
     wire [63:0] pushed_bits = {in_data, 32'b0} >> left;
 

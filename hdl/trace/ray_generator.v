@@ -12,7 +12,8 @@
 //   width, height   of the picture, at least 1
 //   base            {x, y, z}, RT_SCREEN
 //   column_*        span tan_h * u, a component a lane {x, y, z}: `quotient` (RT_SPAN) and
-//                   `remainder` of its magnitude divided by width, `negative` its sign
+//                   `remainder` of its magnitude divided by width, `negative` its sign; a magnitude
+//                   is below half the range of RT_SPAN, as those of the camera are
 //   row_*           the same of tan_v * v and height
 //   slot_*          stream of free pixel slots; a ray is cast for each slot taken
 //   out_valid       a ray: its `slot` and `direction` {x, y, z}, RT_SCREEN

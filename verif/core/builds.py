@@ -23,5 +23,6 @@ def core_build(name: str, simulator: Simulator, waves: bool = False) -> Build:
         waves=waves,
         control=CONTROL,
         optimise="-O3",
+        timing=True,
         label=f"core-{name}",
     )

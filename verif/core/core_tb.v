@@ -2,14 +2,17 @@
 //
 // core_tb: the core with what its benches watch it through.
 //
-// Pixels gather in `batch`, 32 bits each {object, r, g, b}, the first one in the low bits, so that
-// the simulator calls Python once in BATCH pixels. `event_flip` flips when a batch is full, a frame
-// is done or refused, or the probe is complete; the other outputs then say which.
+// The clock runs here and the pixels go into the file pixels.bin, 32 bits each {object, r, g, b}, so
+// that the simulator calls Python where something happens and not in every clock. `event_flip`
+// flips when a frame is done or refused, or the probe is complete; the other outputs then say
+// which, and the file is up to date.
 //
 // Ports beside the core's
-//   object            number of the object that the pixel's primary ray hit, 255 for none; seen at
-//                     the intersection, kept by pixel slot
-//   batch_count       pixels in the batch, BATCH where it is full
+//   clk               the clock, 10 ns
+//   object            (in the file) number of the object that the pixel's primary ray hit, 255 for
+//                     none; seen at the intersection, kept by pixel slot
+//   pixels            pixels in the file
+//   unknown           a pixel had an X or a Z in it
 //   cycles            clocks from the first word of the frame to its last pixel
 //   probe_x, probe_y  a pixel whose values are kept at each stage, while probe_on is high
 //   probe             the values; see probe.py for the fields. probe_done: all of them are there
@@ -18,11 +21,10 @@
 `include "raytracer.vh"
 
 module core_tb #(
-    parameter BATCH            = 256,
     parameter PIXELS_IN_FLIGHT = 256,
     parameter SIZE_W           = 12
 ) (
-    input  wire                    clk,
+    output reg                     clk,
     input  wire                    rst,
     input  wire [      SIZE_W-1:0] width,
     input  wire [      SIZE_W-1:0] height,
@@ -46,8 +48,8 @@ module core_tb #(
     output reg                     event_done,
     output reg                     event_error,
     output reg  [ `RT_FAULT_W-1:0] event_code,
-    output reg  [            15:0] batch_count,
-    output reg  [    BATCH*32-1:0] batch,
+    output reg  [            31:0] pixels,
+    output reg                     unknown,
     output reg  [            31:0] cycles,
     input  wire                    probe_on,
     input  wire [      SIZE_W-1:0] probe_x,
@@ -56,6 +58,9 @@ module core_tb #(
     output wire [  3*`RT_SCREEN_W + 12*`RT_UNIT_W + 5*`RT_POINT_W + 3*`RT_OFFSET_W
                   + `RT_HALF_CHORD_W + 6*`RT_SHADE_W + 3*`RT_CHANNEL_W + 3 - 1:0] probe
 );
+
+    initial clk = 1'b0;
+    always #5 clk = !clk;
 
     localparam SLOT_W = $clog2(PIXELS_IN_FLIGHT);
     localparam [7:0] NO_OBJECT = 8'hff;
@@ -98,36 +103,35 @@ module core_tb #(
         else if (taken) out_slot <= out_slot + 1'b1;
     end
 
-    // The batch is written in place, blocking: a copy of all of it each clock would cost more than
-    // the core. Whoever reads it is woken behind this clock.
-    initial begin
-        event_flip  = 1'b0;
-        event_done  = 1'b0;
-        event_error = 1'b0;
-        batch_count = 16'd0;
-        batch       = {BATCH * 32{1'b0}};
-    end
-
+    integer file;
     reg probe_told;
 
+    initial begin
+        file       = $fopen("pixels.bin", "wb");
+        event_flip = 1'b0;
+        pixels     = 32'd0;
+        unknown    = 1'b0;
+    end
+
+    wire [31:0] entry = {objects[out_slot], m_axis_video_tdata};
+    wire told = frame_done || frame_error || probe_done && !probe_told;
+
     always @(posedge clk) begin
-        if (batch_count == BATCH || event_done || event_error) batch_count = 16'd0;
-        event_done  = 1'b0;
-        event_error = 1'b0;
-        if (rst) begin
-            batch_count = 16'd0;
-            probe_told  = 1'b0;
-        end else begin
-            if (taken) begin
-                batch[batch_count*32+:32] = {objects[out_slot], m_axis_video_tdata};
-                batch_count = batch_count + 16'd1;
-            end
-            event_done  = frame_done;
-            event_error = frame_error;
-            event_code  = error_code;
-            if (batch_count == BATCH || frame_done || frame_error || probe_done && !probe_told)
-                event_flip = !event_flip;
-            probe_told = probe_done;
+        if (!rst && taken) begin
+            $fwrite(file, "%u", entry);
+            pixels <= pixels + 32'd1;
+            if (^entry === 1'bx) unknown <= 1'b1;
+        end
+        if (!rst && told) $fflush(file);
+    end
+
+    always @(posedge clk) begin
+        probe_told <= probe_done && !rst;
+        if (!rst && told) begin
+            event_flip  <= !event_flip;
+            event_done  <= frame_done;
+            event_error <= frame_error;
+            event_code  <= error_code;
         end
     end
 

@@ -1,19 +1,32 @@
-"""Drives `core_tb`: registers, frames, and pictures in batches, with no Python in most clocks."""
+"""Drives `core_tb`: registers, frames and pictures, with no Python in most clocks."""
+
+from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
-from cocotb.triggers import ReadOnly
+from cocotb.triggers import First, ReadOnly, Timer
 from numpy.typing import NDArray
 
 from models.core import Registers
 from models.limits import Fault
 from verif.env.clocking import Clocking
+from verif.env.fields import Field, bit
+from verif.env.pipelined import Mismatch
+from verif.env.streams import AXI4_STREAM, Stream, Transfers
 
 NO_OBJECT = 255
-_PIXEL_BITS = 32
+FRAME = Stream("frame", (Field("data", 32, signed=False), bit("last")), AXI4_STREAM)
+VIDEO = Stream("video", (Field("data", 24, signed=False), bit("user"), bit("last")), AXI4_STREAM)
+PIXELS = Path("pixels.bin")
+"""Where `core_tb` leaves the pixels, in the folder of the run."""
+
+_PIXEL_BYTES = 4
+_POLL_NS = 100_000
+"""Simulated time between two looks at how far the picture is."""
 
 
 @dataclass(frozen=True)
@@ -32,8 +45,8 @@ class CoreDriver:
 
     def __init__(self, dut: Any) -> None:
         self._dut = dut
-        self.clocking = Clocking(dut)
-        self._batch = len(dut.batch) // _PIXEL_BITS
+        self.clocking = Clocking(dut, own_clock=True)
+        self._read = 0
         dut.rst.value = 1
         dut.s_axis_frame_tvalid.value = 0
         dut.m_axis_video_tready.value = 0
@@ -44,8 +57,7 @@ class CoreDriver:
     async def reset(self, registers: Registers) -> None:
         """Resets the core and sets its registers."""
         self._dut.s_axis_frame_tvalid.value = 0
-        for name in ("width", "height", "tan_h", "tan_v"):
-            getattr(self._dut, name).value = getattr(registers, name)
+        self.registers(registers)
         await self.clocking.reset()
 
     async def probe(self, x: int, y: int) -> None:
@@ -78,32 +90,109 @@ class CoreDriver:
         progress: Callable[[int], None] = lambda _: None,
         until_probed: bool = False,
     ) -> Picture:
-        """Sends a frame and takes its pixels as fast as they come; ``progress`` hears of each batch."""
-        self._dut.m_axis_video_tready.value = 1
+        """Sends a frame and takes its pixels as fast as they come; ``progress`` hears how far it is."""
+        self.take(True)
         await self.send(words)
-        parts: list[NDArray[np.uint32]] = []
-        pixels = 0
+        return await self.collect(progress, until_probed)
+
+    def take(self, ready: bool) -> None:
+        """Whether pixels are taken, from now on."""
+        self._dut.m_axis_video_tready.value = int(ready)
+
+    async def collect(
+        self, progress: Callable[[int], None] = lambda _: None, until_probed: bool = False
+    ) -> Picture:
+        """The rest of the picture under way, or of the next one; ends with it, or with any fault."""
+        first = self._written
+        happened, pause = self._dut.event_flip.value_change, Timer(_POLL_NS, "ns")
         while True:
-            await self._dut.event_flip.value_change
+            woken = await First(happened, pause)
+            if woken is pause:
+                progress(self._written - first)
+                continue
             await ReadOnly()
-            count = int(self._dut.batch_count.value)
-            if count:
-                parts.append(self._pixels(count))
-                pixels += count
-                progress(pixels)
             done, error = int(self._dut.event_done.value), int(self._dut.event_error.value)
             if done or error or (until_probed and int(self._dut.probe_done.value)):
                 fault = Fault(self._dut.event_code.value.to_unsigned()) if error else Fault.NONE
-                return _picture(parts, self._dut.cycles.value.to_unsigned(), fault)
+                picture = _picture(self._pixels(), self._dut.cycles.value.to_unsigned(), fault)
+                await self.clocking.edge  # out of the phase in which nothing may be driven
+                return picture
 
-    def _pixels(self, count: int) -> NDArray[np.uint32]:
-        value = int(str(self._dut.batch.value), 2)
-        return np.frombuffer(value.to_bytes(4 * self._batch, "little"), dtype="<u4")[:count]
+    @property
+    def _written(self) -> int:
+        """Pixels in the file."""
+        return int(self._dut.pixels.value.to_unsigned())
+
+    def _pixels(self) -> NDArray[np.uint32]:
+        """The pixels that came since the last call."""
+        if int(self._dut.unknown.value):
+            raise Mismatch("a pixel of the picture has unknown bits")
+        end = self._written
+        with PIXELS.open("rb") as file:
+            file.seek(_PIXEL_BYTES * self._read)
+            data = file.read(_PIXEL_BYTES * (end - self._read))
+        self._read = end
+        return np.frombuffer(data, dtype="<u4")
+
+    @property
+    def busy(self) -> bool:
+        """A frame is set up or drawn."""
+        return bool(int(self._dut.busy.value))
+
+    @property
+    def lights_at_point(self) -> int:
+        """Lights left out since reset."""
+        return int(self._dut.lights_at_point.value.to_unsigned())
+
+    def registers(self, registers: Registers) -> None:
+        """Sets the registers, whatever the core does at the moment."""
+        for name in ("width", "height", "tan_h", "tan_v"):
+            getattr(self._dut, name).value = getattr(registers, name)
 
 
-def _picture(parts: Sequence[NDArray[np.uint32]], cycles: int, fault: Fault) -> Picture:
-    words = np.concatenate(parts) if parts else np.empty(0, dtype=np.uint32)
+def _picture(words: NDArray[np.uint32], cycles: int, fault: Fault) -> Picture:
     objects = (words >> 24).astype(np.int16)
     hit = np.where(objects == NO_OBJECT, -1, objects).astype(np.int16)
     rgb = np.stack([words >> 16 & 255, words >> 8 & 255, words & 255], axis=-1).astype(np.uint8)
     return Picture(rgb, hit, cycles, fault)
+
+
+class StreamedCore:
+    """The core between a source of words that idles and a sink of pixels that stalls, both watched."""
+
+    def __init__(self, dut: Any, core: CoreDriver) -> None:
+        self._core = core
+        self._source = FRAME.source(dut, "s_axis_frame", core.clocking)
+        self._sink = VIDEO.sink(dut, "m_axis_video", core.clocking)
+        self._video = VIDEO.monitor(dut, "m_axis_video", core.clocking)
+        self._agents = (self._source, self._sink, self._video)
+
+    async def reset(self, registers: Registers) -> None:
+        """Resets the core; what was under way is forgotten."""
+        for agent in self._agents:
+            agent.stop()
+            agent.clear()
+        await self._core.reset(registers)
+        for agent in self._agents:
+            agent.start()
+
+    def send(self, words: Sequence[int], idles: Sequence[int]) -> None:
+        """Queues one frame; ``idles``: clocks without a word before each word, over and over."""
+        self._source.idle(idles)
+        self._source.send_words((word, int(index == len(words) - 1)) for index, word in enumerate(words))
+
+    def stall(self, clocks: Sequence[int]) -> None:
+        """Clocks before each pixel in which it is not taken, over and over."""
+        self._sink.stall(clocks)
+
+    async def pixels(self, number: int) -> Transfers:
+        """The transfers of that many pixels, and of any that follow them closely.
+
+        Raises Mismatch where the stream breaks its protocol. Waits for ever where pixels are missing.
+        """
+        while len(self._video.transfers.taken) < number and not self._video.breaches:
+            await self._core.clocking.edge
+        await self._core.clocking.cycles(4)
+        if self._video.breaches:
+            raise Mismatch("\n".join(self._video.breaches[:4]))
+        return self._video.take()

@@ -18,6 +18,7 @@ from verif.env.simulators import Simulator, VerilatorRunner, version
 CACHE = sources.ROOT / "build"
 
 _VERILATOR = ("--x-assign", "unique", "--x-initial", "unique", "-Wno-fatal")
+_TIMING = ("--timing", "-CFLAGS", "-std=gnu++20 -fcoroutines")
 _ICARUS = ("-Wall", "-Wno-timescale")
 
 
@@ -36,7 +37,7 @@ class Build:
     top: module at the top; parameters and defines: what it is built with; waves: with signal
     traces; harness: text of a generated top module, in place of a file of that name; control: text
     of a Verilator control file that names the signals that stay visible (all, without it);
-    optimise: the C++ compiler's level; label: what the folder is called, if not after the top;
+    optimise: the C++ compiler's level; timing: the top has delays, as one that makes its clock; label: what the folder is called, if not after the top;
     replacements: text to build in place of what some files hold.
     """
 
@@ -48,6 +49,7 @@ class Build:
     harness: str | None = None
     control: str | None = None
     optimise: str = "-O1"
+    timing: bool = False
     label: str = ""
     replacements: Mapping[Path, str] = field(default_factory=dict)
 
@@ -82,7 +84,7 @@ class Build:
         """Digest of everything that the result depends on."""
         digest = hashlib.sha256()
         settings = [self.top, version(self.simulator), self.waves, self.optimise]
-        settings += [self.harness, self.control]
+        settings += [self.harness, self.control, self.timing]
         settings += [sorted(self.parameters.items()), sorted(self.defines.items())]
         settings += [_VERILATOR, _ICARUS, str(sources.ROOT)]
         digest.update(json.dumps(settings).encode())
@@ -94,7 +96,6 @@ class Build:
     def directory(self) -> Path:
         """Where the build is kept."""
         return CACHE / "sim" / f"{self.label or self.top}-{self.simulator}-{self.key}"
-
 
     @property
     def ready(self) -> bool:
@@ -115,9 +116,10 @@ def make_runner(build: Build) -> runner.Runner:
     if build.simulator is Simulator.ICARUS:
         return runner.Icarus()
     result = VerilatorRunner()
-    flags = f"{version(build.simulator)}|{build.waves}|{build.optimise}|{_VERILATOR}|{sources.ROOT}"
+    settings = (version(build.simulator), build.waves, build.optimise, build.timing)
+    flags = f"{settings}|{_VERILATOR}|{_TIMING}|{sources.ROOT}"
     result.runtime = CACHE / "runtime" / hashlib.sha256(flags.encode()).hexdigest()[:16]
-    result.make_variables = (f"OPT_FAST={build.optimise}",)
+    result.make_variables = (f"OPT_FAST={build.optimise}", f"OPT_GLOBAL={build.optimise}")
     return result
 
 
@@ -125,7 +127,9 @@ def _compile(build: Build, log: Path) -> None:
     engine = make_runner(build)
     icarus = build.simulator is Simulator.ICARUS
     # Waves on Icarus come through a SystemVerilog dump module of cocotb's.
-    arguments = (*_ICARUS, *(() if build.waves else ("-g2005",))) if icarus else _VERILATOR
+    icarus_arguments = (*_ICARUS, *(() if build.waves else ("-g2005",)))
+    verilator_arguments = (*_VERILATOR, *(_TIMING if build.timing else ()))
+    arguments = icarus_arguments if icarus else verilator_arguments
     engine.build(
         sources=build.generate(),
         includes=sources.include_dirs(),

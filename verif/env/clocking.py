@@ -14,10 +14,12 @@ class Clocking:
     `edge` is one trigger object for all that wait: making one each time costs a third of the speed.
     """
 
-    def __init__(self, dut: Any) -> None:
+    def __init__(self, dut: Any, own_clock: bool = False) -> None:
+        """``own_clock``: the design's top makes the clock itself."""
         self._dut = dut
         self.edge = RisingEdge(dut.clk)
-        Clock(dut.clk, PERIOD_NS, "ns", impl="gpi").start()
+        if not own_clock:
+            Clock(dut.clk, PERIOD_NS, "ns", impl="gpi").start()
 
     async def reset(self, cycles: int = 2) -> None:
         """Holds reset for some clocks; returns at the edge after which the design runs."""

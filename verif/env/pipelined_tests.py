@@ -3,7 +3,7 @@
 The mixed operands of a fast stream serve the valid/ready units as well (`verif.env.stream_tests`).
 """
 
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 from typing import Any
 
 import cocotb
@@ -24,20 +24,31 @@ _RATE_STREAM, _DEFINITION_STREAM = 1 << 16, 1 << 17
 _GAPS = st.lists(st.integers(0, 3), max_size=8)
 
 
-def standard_tests(unit: PipelinedUnit, *statements: Definition) -> dict[str, Any]:
-    """Cocotb tests by name, for the globals of a bench module: the standard ones and a unit's definitions."""
-    bodies: tuple[Callable[..., Awaitable[None]], ...] = (
+Body = Callable[..., Awaitable[None]]
+"""A test of a bench that has been made, and of its run's settings."""
+
+
+def standard_tests(
+    unit: PipelinedUnit,
+    *statements: Definition,
+    more: Sequence[Body] = (),
+    bench: type[PipelinedBench] = PipelinedBench,
+) -> dict[str, Any]:
+    """Cocotb tests by name, for the globals of a bench module: the standard ones, a unit's definitions
+    and what ``more`` tests it has, each on a ``bench`` of its own.
+    """
+    bodies: tuple[Body, ...] = (
         every_operand_drawn_gives_the_models_result,
         a_fast_stream_matches_the_model,
         every_operand_of_a_narrow_unit_matches_the_model,
         reset_drops_what_is_in_flight_and_nothing_after,
         rate_is_one_operand_a_clock_at_the_promised_latency,
     )
-    bodies += tuple(_as_body(statement) for statement in statements)
-    return {body.__name__: _as_test(body, unit) for body in bodies}
+    bodies += (*(_as_body(statement) for statement in statements), *more)
+    return {body.__name__: _as_test(body, unit, bench) for body in bodies}
 
 
-def _as_body(statement: Definition) -> Callable[..., Awaitable[None]]:
+def _as_body(statement: Definition) -> Body:
     async def body(bench: PipelinedBench, run: context.Context) -> None:
         drawn = mixed(bench.unit, run.generator(_DEFINITION_STREAM), run, min(run.operands, _CHUNK))
         given, got = await bench.answers(drawn)
@@ -48,10 +59,10 @@ def _as_body(statement: Definition) -> Callable[..., Awaitable[None]]:
     return body
 
 
-def _as_test(body: Callable[..., Awaitable[None]], unit: PipelinedUnit) -> Any:
+def _as_test(body: Body, unit: PipelinedUnit, bench: type[PipelinedBench]) -> Any:
     async def test(dut: Any) -> None:
         run = context.read()
-        await body(await PipelinedBench.create(dut, unit, run.parameters), run)
+        await body(await bench.create(dut, unit, run.parameters), run)
 
     test.__name__ = test.__qualname__ = body.__name__
     test.__doc__ = body.__doc__

@@ -17,7 +17,7 @@ from verif.env.pipelined_tests import mixed
 from verif.env.stream_bench import StreamBench
 from verif.env.unit import StreamUnit
 
-_CHUNK = 1_000
+_CHUNK = 500
 _RATE_STREAM, _DEFINITION_STREAM = 1 << 16, 1 << 17
 _WAITS = st.lists(st.integers(0, 5) | st.integers(0, 60), max_size=6)
 
@@ -60,8 +60,8 @@ def _as_body(statement: Definition) -> Callable[..., Awaitable[None]]:
 
 
 def _length(bench: StreamBench, run: context.Context) -> int:
-    """Operands of a fast stream: as many clocks as a unit takes that accepts one a clock."""
-    return max(16, run.operands // bench.unit.rate(run.parameters))
+    """Operands of a fast stream: half the clocks of a pipelined unit's, for four agents look at each clock."""
+    return max(16, run.operands // (2 * bench.unit.rate(run.parameters)))
 
 
 async def _within_time(bench: StreamBench, drawn: Operands, idles: list[int], stalls: list[int]) -> None:

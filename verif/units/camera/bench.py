@@ -213,7 +213,7 @@ async def basis_is_orthonormal_and_looks_at_the_center_of_interest(dut: Any) -> 
         assert error < 5 * whole, f"off orthonormal by {error} in {basis}"
 
     count = st.integers(1, _LARGEST)
-    await holds(context.read(), example, cameras(), count, count)
+    await holds(context.read(), example, cameras(), count, count, cost=2)
 
 
 @cocotb.test()
@@ -230,7 +230,7 @@ async def faults_are_found_exactly_and_only_where_they_are(dut: Any) -> None:
         await bench.clocks(idle)
         await bench.run(after, then)
 
-    await holds(context.read(), example, _any_camera(), sizes, st.integers(1, 4), cameras(), _sizes())
+    await holds(context.read(), example, _any_camera(), sizes, st.integers(1, 4), cameras(), _sizes(), cost=2)
 
 
 @cocotb.test()
@@ -247,4 +247,4 @@ async def reset_in_any_state_leaves_nothing_behind(dut: Any) -> None:
         same("done after reset", 0, bench.read("done"))
         await bench.run(after, size)
 
-    await holds(context.read(), example, cameras(), st.integers(0, _LATENCY), _any_camera(), _sizes())
+    await holds(context.read(), example, cameras(), st.integers(0, _LATENCY), _any_camera(), _sizes(), cost=2)

@@ -1,17 +1,13 @@
 """The iterative square root: ports, parameter sets and model."""
 
 from models.arith import sqrt_iter
-from verif.env.fields import Field, Operands
+from verif.env.fields import Operands
 from verif.env.unit import Break, Parameters, StreamUnit
 from verif.units.sqrt.unit import near_squares, radicand, root_and_remainder
 
 
 def _model(p: Parameters, operands: Operands) -> Operands:
     return sqrt_iter(operands["radicand"], p["D_W"])._asdict()
-
-
-def _inputs(p: Parameters) -> tuple[Field, ...]:
-    return radicand(p)
 
 
 UNIT = StreamUnit(
@@ -26,7 +22,7 @@ UNIT = StreamUnit(
     breaks=(
         Break("arith/sqrt_iter.v", "d_reg <= d << 2;", "d_reg <= d << 1;"),
         Break("arith/iterate.v", "(!out_valid_reg || out_ready)", "1'b1"),
-        Break("arith/iterate.v", "if (rst) out_valid_reg <= 1'b0;", "if (1'b0) out_valid_reg <= 1'b0;"),
-        Break("arith/iterate.v", "if (rst) count_reg <= {COUNT_W{1'b0}};", "if (1'b0) count_reg <= {COUNT_W{1'b0}};"),
+        Break("arith/iterate.v", "if (rst) out_valid_reg <=", "if (1'b0) out_valid_reg <="),
+        Break("arith/iterate.v", "if (rst) count_reg <=", "if (1'b0) count_reg <="),
     ),
 )

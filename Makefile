@@ -1,0 +1,75 @@
+# The commands of the project; `make help` lists them.
+#
+# Set-up is a .venv of pinned packages, made once and remade when requirements.txt changes. Nothing
+# outside this folder is written. Builds of the simulators are cached by content in build/.
+
+PYTHON ?= python3
+VENV   := .venv
+READY  := $(VENV)/ready
+BIN    := $(VENV)/bin
+# Nothing is told to Python twice, and no folder of the user's home is written.
+export PYTHONDONTWRITEBYTECODE := 1
+unexport WAVES SIM SEED UNIT
+
+JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
+
+# A command line option for a variable that is set: $(call option,--size,SIZE)
+option = $(if $($(2)),$(1) '$($(2))')
+
+.DEFAULT_GOAL := help
+.PHONY: help setup render test unit lint format bench breaks header requirements clean
+
+help: ## lists the commands
+	@echo "Commands (make <command> [NAME=value ...]):"
+	@grep -hE '^[a-z]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/^([a-z]+):.*## /  \1\t/' | expand -t 16
+
+setup: $(READY) ## makes the Python environment, once
+
+$(READY): requirements.txt
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
+		{ echo "$(PYTHON) is older than 3.11: name a newer one with PYTHON=..." >&2; exit 2; }
+	@echo "Setting up $(VENV), once ..."
+	@rm -rf $(VENV)
+	@$(PYTHON) -m venv $(VENV)
+	@$(BIN)/pip install --quiet --disable-pip-version-check --no-cache-dir --require-hashes -r requirements.txt
+	@touch $@
+
+render: $(READY) ## draws a scene through the RTL: [SCENE=file] [SIZE=WxH] [OUT=dir] [SIM=icarus] [BUILD=book] [PIXEL=x,y]
+	@$(BIN)/python -m verif.render $(call option,--scene,SCENE) $(call option,--size,SIZE) $(call option,--out,OUT) \
+		$(call option,--sim,SIM) $(call option,--build,BUILD) $(call option,--pixel,PIXEL)
+
+test: lint ## runs every test
+	@$(BIN)/python -m pytest -n $(JOBS)
+
+unit: $(READY) ## runs one unit's bench: UNIT=sqrt [SIM=icarus] [SET=narrow] [SEED=n] [WAVES=1] [EXAMPLES=n] [OPERANDS=n]
+	@test -n "$(UNIT)" || { echo "UNIT is missing; one of: $$(ls verif/units | grep -v '^_' | tr '\n' ' ')" >&2; exit 2; }
+	@$(BIN)/python -m pytest verif/test_units.py --unit '$(UNIT)' $(call option,--sim,SIM) $(call option,--seed,SEED) \
+		$(call option,--set,SET) $(call option,--examples,EXAMPLES) $(call option,--operands,OPERANDS) $(if $(WAVES),--waves)
+
+lint: $(READY) ## checks Verilog, Python, types, and that generated files are fresh
+	@$(BIN)/ruff check --quiet
+	@$(BIN)/ruff format --check --quiet
+	@$(BIN)/mypy
+	@$(BIN)/python -m models.header --check
+	@$(BIN)/python -m verif.lint
+
+format: $(READY) ## formats the Python
+	@$(BIN)/ruff check --quiet --fix
+	@$(BIN)/ruff format --quiet
+
+bench: $(READY) ## measures: cocotb against a bare C++ loop, the model against the RTL
+	@$(BIN)/python -m verif.bench
+
+breaks: $(READY) ## breaks the Verilog a line at a time and shows that the benches notice: [UNIT=sqrt] [SIM=icarus]
+	@$(BIN)/python -m verif.env.breaks $(UNIT) $(call option,--sim,SIM)
+
+header: $(READY) ## writes hdl/raytracer.vh from the tables in models/
+	@$(BIN)/python -m models.header
+
+requirements: $(READY) ## pins requirements.txt anew from pyproject.toml
+	@$(BIN)/pip install --quiet --disable-pip-version-check pip-tools
+	@$(BIN)/pip-compile --quiet --generate-hashes --strip-extras --no-header --no-emit-index-url --no-emit-find-links \
+		--no-emit-options --output-file requirements.txt pyproject.toml
+
+clean: ## removes builds, runs and pictures; the environment stays
+	rm -rf build

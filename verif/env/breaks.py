@@ -1,0 +1,102 @@
+"""Proves that the benches can fail: changes one line of the design and runs the unit's bench.
+
+    python -m verif.env.breaks [unit ...] [--sim verilator]
+
+Each unit names its breaks (`verif.env.unit.Break`). The change goes into the sources of one build, never into
+the tree. Exit code 1 where a break is not caught.
+"""
+
+import argparse
+import sys
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from verif.env import sources, units
+from verif.env.build import BuildError
+from verif.env.simulators import Simulator
+from verif.env.unit import Break
+
+_EFFORT = units.Effort(examples=30, operands=5_000)
+_SEED = 1
+
+
+class UselessBreak(ValueError):
+    """A break does not apply to the design as it is; the text says which and why."""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What became of one break: the tests that failed, none where nobody noticed."""
+
+    unit: str
+    change: Break
+    failed: tuple[str, ...]
+    seconds: float
+
+
+def changed(change: Break) -> dict[Path, str]:
+    """The changed file. Raises UselessBreak where the text to change is not there exactly once."""
+    path = sources.HDL / change.file
+    text = path.read_text()
+    if text.count(change.old) != 1:
+        raise UselessBreak(f"{change.file} holds {change.old!r} {text.count(change.old)} times, not once")
+    return {path: text.replace(change.old, change.new)}
+
+
+def judge(name: str, number: int, change: Break, simulator: Simulator) -> Verdict:
+    """Runs the bench of a unit on the changed design.
+
+    Raises UselessBreak where the changed design does not build: a compiler's refusal proves nothing.
+    """
+    start = time.monotonic()
+    try:
+        outcome = units.simulate(
+            name,
+            simulator,
+            change.set,
+            seed=_SEED,
+            effort=_EFFORT,
+            replacements=changed(change),
+            run_name=f"break-{name}-{number}-{simulator}",
+        )
+    except BuildError as error:
+        raise UselessBreak(f"{name}, break {number}: {error}") from error
+    failed = tuple(test for test, text in outcome.tests.items() if text)
+    if not outcome.passed and not failed:
+        raise UselessBreak(f"{name}, break {number}: {outcome.complaint()}")
+    return Verdict(name, change, failed, time.monotonic() - start)
+
+
+def verdicts(names: Sequence[str], simulator: Simulator) -> Iterator[Verdict]:
+    """One of each break of each unit."""
+    for name in names:
+        for number, change in enumerate(units.find(name).breaks):
+            yield judge(name, number, change, simulator)
+
+
+def row(verdict: Verdict) -> str:
+    """A line of the table."""
+    result = f"caught by {len(verdict.failed)}" if verdict.failed else "NOT CAUGHT"
+    change = f"{verdict.change.file}: {verdict.change.old} -> {verdict.change.new}"
+    return f"{verdict.unit:14} {result:12} {verdict.seconds:5.1f} s  {change}"
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Prints the table as it grows; 0 where every break was caught."""
+    parser = argparse.ArgumentParser(description="Change the design, and see that the benches notice.")
+    parser.add_argument("units", nargs="*", help="units; default: all that have breaks")
+    parser.add_argument("--sim", type=Simulator, choices=list(Simulator), default=Simulator.VERILATOR)
+    options = parser.parse_args(arguments)
+    missed = caught = 0
+    for verdict in verdicts(options.units or units.names(), options.sim):
+        print(row(verdict), flush=True)
+        caught += bool(verdict.failed)
+        missed += not verdict.failed
+    print(f"{caught} caught, {missed} not caught")
+    return 1 if missed or not caught else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,312 @@
+"""Tests of the control: blocks of drawn speed and drawn faults around it, and what it must do for each frame."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import cocotb
+from hypothesis import strategies as st
+
+from models.limits import Fault
+from verif.env import context
+from verif.env.block import Block, holds, same
+from verif.env.pipelined import Mismatch
+
+_LOAD_FAULTS = (Fault.FRAME_SHORT, Fault.FRAME_LONG, Fault.CAPACITY, Fault.KIND, Fault.RADIUS)
+_CAMERA_FAULTS = (Fault.SIZE, Fault.CAMERA_POSITION, Fault.CAMERA_UP)
+_OVERHEAD = 12
+"""Clocks of a frame beside the work of the blocks, at most."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """A frame: clocks that each block takes for it, and what they find."""
+
+    wait: int
+    load: int
+    load_fault: Fault
+    camera: int
+    camera_fault: Fault
+    has_object: bool
+    object: int
+    draw: int
+
+    @property
+    def clocks(self) -> int:
+        """All the work of it, one block after the other."""
+        return self.wait + self.load + self.camera + self.object + self.draw + _OVERHEAD
+
+    def events(self) -> list[str]:
+        """What must be seen of this frame, in order."""
+        if self.load_fault:
+            return [f"error {self.load_fault.name}"]
+        start = ["swap", "camera_start", "object_start"]
+        if self.camera_fault:
+            return [*start, f"error {self.camera_fault.name}"]
+        return [*start, "draw_start", "frame_done"]
+
+
+@dataclass
+class Timer:
+    """A block at work: counts down the clocks to its `done`."""
+
+    left: int = 0
+
+    def start(self, clocks: int) -> None:
+        """Done comes ``clocks`` clocks after this one."""
+        self.left = clocks
+
+    def tick(self) -> bool:
+        """One clock; whether the block is done in it."""
+        self.left = max(self.left - 1, -1) if self.left > 0 else -1
+        return self.left == 0
+
+
+@dataclass
+class Blocks:
+    """The loader, camera, object set-up and drawing that the control sees."""
+
+    jobs: Sequence[Job]
+    loading: Timer = field(default_factory=Timer)
+    camera: Timer = field(default_factory=Timer)
+    object: Timer = field(default_factory=Timer)
+    draw: Timer = field(default_factory=Timer)
+    loaded: int = 0
+    good: Iterator[Job] = field(init=False)
+    current: Job | None = None
+    quiet: int = 0
+
+    def __post_init__(self) -> None:
+        self.good = iter([job for job in self.jobs if not job.load_fault])
+        self.quiet = self.jobs[0].wait if self.jobs else 0
+
+
+class ControlBench(Block):
+    """One control, the blocks around it, and the rules of its outputs."""
+
+    _OUTPUTS = (
+        ["load_ready", "swap", "camera_start", "object_start", "draw_start", "size_lock", "frame_done", "frame_error", "busy"]
+    )
+
+    def __init__(self, dut: Any) -> None:
+        super().__init__(dut, idle=("load_done", "camera_done", "object_done", "draw_done", "has_object"))
+        self._blocks = Blocks(())
+        self._locked = False
+        self._busy = False
+        self._occupied = False
+        self.events: list[str] = []
+
+    @classmethod
+    async def create(cls, dut: Any) -> "ControlBench":
+        """A bench whose clock runs and whose block has been reset."""
+        bench = cls(dut)
+        await bench.restart(())
+        return bench
+
+    async def restart(self, jobs: Sequence[Job]) -> None:
+        """Reset, with the blocks around; these frames come next."""
+        self.set(load_fault=0, camera_fault=0)
+        await self.reset()
+        self._blocks = Blocks(jobs)
+        self._locked = self._busy = self._occupied = False
+        self.events = []
+
+    async def step(self) -> None:
+        """One clock of everything."""
+        blocks = self._blocks
+        load_done, camera_done = blocks.loading.tick(), blocks.camera.tick()
+        object_done, draw_done = blocks.object.tick(), blocks.draw.tick()
+        load_fault = blocks.jobs[blocks.loaded].load_fault if load_done else Fault.NONE
+        camera_fault = blocks.current.camera_fault if camera_done and blocks.current else Fault.NONE
+        await self.clock(
+            load_done=int(load_done),
+            load_fault=int(load_fault),
+            camera_done=int(camera_done),
+            camera_fault=int(camera_fault),
+            object_done=int(object_done),
+            draw_done=int(draw_done),
+            has_object=int(blocks.current.has_object) if blocks.current else 0,
+        )
+        seen = {name: bool(self.read(name)) for name in self._OUTPUTS}
+        self._rules(seen, load_done and not load_fault, bool(camera_fault))
+        self._errors(seen, load_fault, camera_fault)
+        self._react(seen, load_done)
+
+    def _rules(self, seen: dict[str, bool], loaded: bool, refused: bool) -> None:
+        """What must hold at every clock, whatever the frames are."""
+        if seen["size_lock"] and (self._locked or not seen["swap"]):
+            raise Mismatch("size_lock without the swap of the first frame after reset")
+        if seen["swap"] and not self._locked and not seen["size_lock"]:
+            raise Mismatch("the first swap after reset without size_lock")
+        self._locked |= seen["size_lock"]
+        self._busy |= seen["swap"]
+        same("busy, from swap to the frame's end", self._busy, seen["busy"])
+        if seen["load_ready"] and self._occupied:
+            raise Mismatch("load_ready while a frame waits or is set up")
+        if seen["frame_done"] or refused:
+            self._busy = False
+        # From the end of a load to the start of drawing, or the refusal, the records are needed.
+        self._occupied = (self._occupied or loaded) and not (seen["draw_start"] or refused)
+
+    def _errors(self, seen: dict[str, bool], load_fault: Fault, camera_fault: Fault) -> None:
+        """An error in the clock of its cause, with its code, and never two."""
+        if load_fault and camera_fault:
+            raise Mismatch("two frames refused in one clock: load_ready came too early")
+        same("frame_error", bool(load_fault or camera_fault), seen["frame_error"])
+        if seen["frame_error"]:
+            same("error_code", load_fault or camera_fault, Fault(self.read("error_code")))
+            self.events.append(f"error {Fault(self.read('error_code')).name}")
+
+    def _react(self, seen: dict[str, bool], load_done: bool) -> None:
+        """The blocks take what the control tells them."""
+        blocks = self._blocks
+        names = ("swap", "camera_start", "object_start", "draw_start", "frame_done")
+        self.events += [name for name in names if seen[name]]
+        if seen["swap"]:
+            blocks.current = next(blocks.good)
+        if blocks.current is not None:
+            for name, timer, clocks in (
+                ("camera_start", blocks.camera, blocks.current.camera),
+                ("object_start", blocks.object, blocks.current.object),
+                ("draw_start", blocks.draw, blocks.current.draw),
+            ):
+                if seen[name]:
+                    timer.start(clocks)
+        if load_done:
+            blocks.loaded += 1
+            if blocks.loaded < len(blocks.jobs):
+                blocks.quiet = blocks.jobs[blocks.loaded].wait
+        elif seen["load_ready"] and blocks.loading.left <= 0 and blocks.loaded < len(blocks.jobs):
+            if blocks.quiet:
+                blocks.quiet -= 1
+            else:
+                blocks.loading.start(blocks.jobs[blocks.loaded].load)
+
+    async def run(self, jobs: Sequence[Job]) -> None:
+        """All frames: each ends in done or error, exactly as its blocks say, and nothing else happens."""
+        limit = sum(job.clocks for job in jobs)
+        ends = [job.events()[-1] for job in jobs]
+        for _ in range(limit):
+            await self.step()
+            if sum(event == "frame_done" or event.startswith("error") for event in self.events) == len(ends):
+                break
+        for _ in range(4):
+            await self.step()
+        self.judge(jobs)
+
+    def judge(self, jobs: Sequence[Job]) -> None:
+        """The events against those of the frames: load errors fall where they may, the rest is in order."""
+        loads = {f"error {fault.name}" for fault in _LOAD_FAULTS}
+        same(
+            "frames refused by the loader",
+            [event for job in jobs for event in job.events() if event in loads],
+            [event for event in self.events if event in loads],
+        )
+        same(
+            "events of the other frames",
+            [event for job in jobs for event in job.events() if event not in loads],
+            [event for event in self.events if event not in loads],
+        )
+        same("load_ready at rest", 1, self.read("load_ready"))
+        same("busy at rest", 0, self.read("busy"))
+
+
+def _jobs() -> st.SearchStrategy[list[Job]]:
+    clocks = st.integers(1, 12)
+    good = st.just(Fault.NONE)
+    job = st.builds(
+        Job,
+        wait=st.integers(0, 12),
+        load=clocks,
+        load_fault=good | good | st.sampled_from(_LOAD_FAULTS),
+        camera=clocks,
+        camera_fault=good | good | st.sampled_from(_CAMERA_FAULTS),
+        has_object=st.booleans(),
+        object=st.integers(1, 24),
+        draw=st.integers(1, 40),
+    )
+    # The set-up of an object never outlives the next frame's load: see loader.
+    return st.lists(job, min_size=1, max_size=6).map(_in_time)
+
+
+def _in_time(jobs: list[Job]) -> list[Job]:
+    """Frames whose object is set up before the next one's can start, as the core's latencies ensure."""
+    return [
+        Job(**{**vars(job), "object": min(job.object, job.camera + 2)})
+        if job.camera_fault or not job.has_object
+        else job
+        for job in jobs
+    ]
+
+
+def _a_good_job(load: int = 5, draw: int = 30) -> Job:
+    return Job(0, load, Fault.NONE, 6, Fault.NONE, True, 9, draw)
+
+
+@cocotb.test()
+async def every_frame_ends_in_done_or_error_in_the_right_order(dut: Any) -> None:
+    """Drawn frames; at every clock the rules of load_ready, busy, size_lock and errors hold."""
+    bench = await ControlBench.create(dut)
+
+    async def example(jobs: list[Job]) -> None:
+        await bench.restart(jobs)
+        await bench.run(jobs)
+
+    await holds(context.read(), example, _jobs())
+
+
+@cocotb.test()
+async def reset_at_any_moment_forgets_every_frame(dut: Any) -> None:
+    """After it no event comes of a frame of before; the size is taken anew with the first one."""
+    bench = await ControlBench.create(dut)
+
+    async def example(before: list[Job], wait: int, quiet: int, after: list[Job]) -> None:
+        await bench.restart(before)
+        for _ in range(wait):
+            await bench.step()
+        await bench.restart(())
+        for _ in range(quiet):
+            await bench.step()
+        same("events after reset without a frame", [], bench.events)
+        await bench.restart(after)
+        await bench.run(after)
+
+    await holds(context.read(), example, _jobs(), st.integers(0, 80), st.integers(0, 8), _jobs())
+
+
+@cocotb.test()
+async def the_next_frame_is_loaded_while_one_is_drawn(dut: Any) -> None:
+    """A load that takes as long as the drawing costs no clock beside the set-up."""
+    bench = await ControlBench.create(dut)
+    frames = 5
+    jobs = [_a_good_job(load=20, draw=40) for _ in range(frames)]
+    await bench.restart(jobs)
+    before = bench.now
+    await bench.run(jobs)
+    set_up = max(jobs[0].camera, jobs[0].object) + _OVERHEAD
+    limit = jobs[0].load + frames * (set_up + jobs[0].draw)
+    assert bench.now - before <= limit, f"{bench.now - before} clocks, more than {limit}"
+
+
+@cocotb.test()
+async def drawing_waits_for_the_slower_of_camera_and_object(dut: Any) -> None:
+    """All pairs of latencies up to 12 clocks, with and without an object."""
+    bench = await ControlBench.create(dut)
+    for camera in range(1, 13):
+        for clocks in range(1, 13):
+            for has_object in (False, True):
+                if not has_object and clocks > camera:
+                    continue
+                job = Job(0, 1, Fault.NONE, camera, Fault.NONE, has_object, clocks, 1)
+                await bench.restart([job])
+                while "camera_start" not in bench.events:
+                    await bench.step()
+                start = bench.now
+                while "draw_start" not in bench.events and bench.now < start + 40:
+                    await bench.step()
+                ready = max(camera, clocks) if has_object else camera
+                waited = bench.now - start
+                assert ready < waited <= ready + 3, (
+                    f"{waited} clocks to draw_start, ready after {ready}: {job}"
+                )
+                await bench.run([job])

@@ -1,0 +1,5 @@
+"""The control: one build."""
+
+from verif.env.unit import Unit
+
+UNIT = Unit(name="control")

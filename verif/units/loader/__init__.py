@@ -1,0 +1,1 @@
+"""Bench of the loader of frames."""

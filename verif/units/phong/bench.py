@@ -1,0 +1,105 @@
+"""Tests of what a light adds to a hit: the standard ones, and Phong's equation in float64.
+
+Every product is floored and saturated, so no result is above the equation's; below it by at most
+what the floors of both cosines (v), of the powers, of the products and of the last one (w) leave:
+
+    (S - e_S) (A - w) - w   with e_S = k_diffuse v + k_specular e_power + 2 w
+
+where S is the sum of both terms and A the light that arrives, each held in range.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from models.limits import SHININESS
+from verif.env.context import Context
+from verif.env.definitions import Holds, all_lanes
+from verif.env.fields import Operands, count
+from verif.env.pipelined import Mismatch, PipelinedBench
+from verif.env.pipelined_tests import mixed, standard_tests
+from verif.env.unit import Parameters
+from verif.env.vectors import SLACK, Floats, where
+from verif.units.highlight.bench import power_bound
+from verif.units.phong.unit import FMTS, UNIT
+
+_COSINE_STEP, _SHADE_STEP = 1.0 / FMTS.cosine.one, 1.0 / FMTS.shade.one
+_COSINE_MOST, _SHADE_MOST = FMTS.cosine.max * _COSINE_STEP, FMTS.shade.max * _SHADE_STEP
+_MONOTONE_STREAM = 1 << 18
+
+
+def _exact_cosine(given: Operands, name: str) -> tuple[Floats, Holds, Holds]:
+    """Cosine with L held in range; where it is not positive, and where a step of it or more is left."""
+    total = (given[name] * given["direction"]).sum(axis=0)
+    number = total / FMTS.unit.one**2
+    return np.clip(number, 0.0, _COSINE_MOST), total <= 0, total >= FMTS.unit.one
+
+
+@dataclass(frozen=True)
+class _Limits:
+    """The equation of lit points, (3, n), and how far below it a result may be."""
+
+    most: Floats
+    least: Floats
+
+    @classmethod
+    def of(cls, given: Operands) -> "_Limits":
+        """For all operands as if they were lit."""
+        names = ("k_diffuse", "k_specular", "intensity", "attenuation")
+        diffuse, specular, intensity, attenuation = (FMTS.coeff.to_float(given[name]) for name in names)
+        cosine, mirror = (_exact_cosine(given, name)[0] for name in ("normal", "mirrored"))
+        power = np.minimum(mirror**SHININESS, _COSINE_MOST)
+        both = np.minimum(diffuse * cosine + specular * power, _SHADE_MOST)
+        arriving = np.minimum(intensity * attenuation, _SHADE_MOST)
+        error = diffuse * _COSINE_STEP + specular * power_bound(mirror, _COSINE_STEP) + 2.0 * _SHADE_STEP
+        below = np.maximum(both - error, 0.0) * np.maximum(arriving - _SHADE_STEP, 0.0)
+        return cls(
+            np.minimum(both * arriving, _SHADE_MOST) + SLACK,
+            np.minimum(below, _SHADE_MOST) - _SHADE_STEP - SLACK,
+        )
+
+
+def light_behind_the_surface_or_dark_adds_nothing(_: Parameters, given: Operands, got: Operands) -> Holds:
+    """N.L <= 0, exactly, or a light without a direction."""
+    behind = _exact_cosine(given, "normal")[1] | (given["dark"] == 1)
+    return where(behind, all_lanes(got["colour"] == 0))
+
+
+def light_in_front_adds_what_the_equation_says(_: Parameters, given: Operands, got: Operands) -> Holds:
+    """Where a step of N.L is left; never more than the equation, less by no more than the bound."""
+    front = _exact_cosine(given, "normal")[2] & (given["dark"] == 0)
+    limits, colour = _Limits.of(given), FMTS.shade.to_float(got["colour"])
+    return where(front, all_lanes((limits.least <= colour) & (colour <= limits.most)))
+
+
+def light_that_is_stopped_or_off_adds_nothing(_: Parameters, given: Operands, got: Operands) -> Holds:
+    """A channel without attenuation's share or without intensity stays black."""
+    nothing = (given["attenuation"] == 0) | (given["intensity"] == 0)
+    return where(nothing.any(axis=0), all_lanes(~nothing | (got["colour"] == 0)))
+
+
+async def more_light_never_darkens(bench: PipelinedBench, run: Context) -> None:
+    """The same operands with more light, more reflectance or less shadow: no channel is less."""
+    generator = run.generator(_MONOTONE_STREAM)
+    drawn = mixed(bench.unit, generator, run, min(run.operands, 10_000))
+    _, before = await bench.answers(drawn)
+    names = ("k_diffuse", "k_specular", "intensity", "attenuation")
+    more = {
+        name: np.minimum(drawn[name] + generator.integers(0, 500, drawn[name].shape), FMTS.coeff.max)
+        for name in names
+    }
+    _, after = await bench.answers({**drawn, **more})
+    darker = np.flatnonzero((after["colour"] < before["colour"]).any(axis=0))
+    if darker.size:
+        raise Mismatch(f"{darker.size} of {count(drawn)} operands are darker in more light, first {darker[0]}")
+
+
+globals().update(
+    standard_tests(
+        UNIT,
+        light_behind_the_surface_or_dark_adds_nothing,
+        light_in_front_adds_what_the_equation_says,
+        light_that_is_stopped_or_off_adds_nothing,
+        more=(more_light_never_darkens,),
+    )
+)

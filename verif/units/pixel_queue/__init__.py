@@ -1,0 +1,1 @@
+"""Bench of the queue of pixels in flight."""

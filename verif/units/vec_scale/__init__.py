@@ -1,0 +1,1 @@
+"""Bench of the product of a scalar and a vector."""
