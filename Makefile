@@ -51,6 +51,7 @@ lint: $(READY) ## checks Verilog, Python, types, and that generated files are fr
 	@$(BIN)/ruff format --check --quiet
 	@$(BIN)/mypy
 	@$(BIN)/python -m models.header --check
+	@$(BIN)/python -m models.stages --check
 	@$(BIN)/python -m verif.lint
 
 format: $(READY) ## formats the Python
@@ -63,8 +64,9 @@ bench: $(READY) ## measures: cocotb against a bare C++ loop, the model against t
 breaks: $(READY) ## breaks the Verilog a line at a time and shows that the benches notice: [UNIT=sqrt] [SIM=icarus]
 	@$(BIN)/python -m verif.env.breaks $(UNIT) $(call option,--sim,SIM)
 
-header: $(READY) ## writes hdl/raytracer.vh from the tables in models/
+header: $(READY) ## writes hdl/raytracer.vh and the tables of hdl/README.md from the tables in models/
 	@$(BIN)/python -m models.header
+	@$(BIN)/python -m models.stages
 
 requirements: $(READY) ## pins requirements.txt anew from pyproject.toml
 	@$(BIN)/pip install --quiet --disable-pip-version-check pip-tools

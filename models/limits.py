@@ -3,8 +3,10 @@
 The Verilog gets them through the generated header `hdl/raytracer.vh`.
 """
 
+from collections.abc import Mapping
 from enum import IntEnum
 from fractions import Fraction
+from types import MappingProxyType
 
 T_MIN = Fraction(1, 64)
 """Smallest distance at which a ray hits; keeps a ray from hitting its own origin."""
@@ -47,6 +49,21 @@ class Fault(IntEnum):
     CAMERA_POSITION = 6
     CAMERA_UP = 7
     SIZE = 8
+
+
+MEANING: Mapping[Fault, str] = MappingProxyType(
+    {
+        Fault.FRAME_SHORT: "the frame ends before its counts are satisfied",
+        Fault.FRAME_LONG: "the frame goes on behind its last field",
+        Fault.CAPACITY: "more lights, spheres or triangles than the core holds",
+        Fault.KIND: "an object's kind bit is not that of its place",
+        Fault.RADIUS: "a sphere of radius 0",
+        Fault.CAMERA_POSITION: "the camera is at its center of interest",
+        Fault.CAMERA_UP: "up is zero or parallel to the view",
+        Fault.SIZE: "width or height is 0",
+    }
+)
+"""What each fault says to people."""
 
 
 class Record(IntEnum):

@@ -118,7 +118,7 @@ module loader #(
 
     wire field_valid;
     wire [FIELD_W-1:0] field;
-    wire short;
+    wire lacking;
     wire ended;
     wire surplus;
     wire reading = busy_reg && section_reg != S_END && section_reg != S_DRAIN;
@@ -143,7 +143,7 @@ module loader #(
         .field_valid(field_valid),
         .field      (field),
         .field_take (take),
-        .short      (short),
+        .lacking    (lacking),
         .flush      (finish),
         .ended      (ended),
         .surplus    (surplus)
@@ -171,7 +171,7 @@ module loader #(
     end
 
     wire wrong = take && field_fault != `RT_FAULT_NONE;
-    wire starved = reading && short;
+    wire starved = reading && lacking;
     wire too_long = section_reg == S_END && (!ended || surplus);
 
     // The section behind this one that has anything in it.

@@ -7,7 +7,7 @@
 //   field_width  bits of the field wanted, 1 to FIELD_W, may change at any clock
 //   field_valid  so many bits are there: `field` has them, right-aligned
 //   field_take   the field is consumed; only where field_valid is high
-//   short        the frame has ended and the field will never be whole
+//   lacking      the frame has ended and the field will never be whole
 //   flush        forgets what is left of this frame and starts the next one; raised where `ended`
 //   ended        the last word of the frame has arrived
 //   surplus      a whole word or more is left in the buffer
@@ -31,7 +31,7 @@ module unpack #(
     output wire               field_valid,
     output wire [FIELD_W-1:0] field,
     input  wire               field_take,
-    output wire               short,
+    output wire               lacking,
     input  wire               flush,
     output wire               ended,
     output wire               surplus
@@ -53,7 +53,7 @@ module unpack #(
     assign ended       = ended_reg;
     assign surplus     = count_reg >= 7'd32;
     assign field_valid = count_reg >= wanted;
-    assign short       = ended_reg && !field_valid;
+    assign lacking     = ended_reg && !field_valid;
 
     wire [63:0] aligned = buffer_reg >> (7'd64 - wanted);
     wire unused_aligned = &{1'b0, aligned[63:FIELD_W]};

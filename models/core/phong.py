@@ -48,4 +48,4 @@ def phong(
 
 def colour_add(a: Raw, b: Raw, fmts: Formats) -> Raw:
     """Saturated sum of colours: model of ``hdl/shade/colour_add.v``."""
-    return np.minimum(a + b, fmts.shade.max)
+    return np.asarray(np.minimum(a + b, fmts.shade.max))

@@ -10,4 +10,4 @@ FULL = 255
 
 def rgb888(colour: Raw, fmts: Formats) -> Raw:
     """Channels 0 to 255 of colours in `shade`: times 255, truncated, clamped."""
-    return np.minimum((colour * FULL) >> fmts.shade.frac_bits, FULL)
+    return np.asarray(np.minimum((colour * FULL) >> fmts.shade.frac_bits, FULL))

@@ -134,13 +134,16 @@ def render(scene: Scene, size: Registers, fmts: Formats) -> Rendering:
         found = frame.test(direction, frame.sphere)
         (where,) = found.hit.nonzero()
         if where.size:
-            chosen = SphereHit(*(values[..., where] for values in found))
-            shaded = shade_hit(direction[:, where], chosen, frame.sphere, frame.light, fmts)
+            shaded = shade_hit(direction[:, where], found.where(where), frame.sphere, frame.light, fmts)
             rgb[part.start + where] = rgb888(shaded.colour, fmts).T
             hits[part.start + where] = 0
             at_point += int((shaded.degenerate & frame.light.on).sum())
     shape = (size.height, size.width)
     return Rendering(rgb.reshape(*shape, 3), hits.reshape(shape), at_point)
+
+
+def _fields(record: SphereHit | Shaded, *names: str) -> dict[str, Raw]:
+    return {name: np.asarray(getattr(record, name), dtype=np.int64) for name in names}
 
 
 def trace_pixel(scene: Scene, size: Registers, fmts: Formats, x: int, y: int) -> dict[str, Raw]:
@@ -156,8 +159,7 @@ def trace_pixel(scene: Scene, size: Registers, fmts: Formats, x: int, y: int) ->
     stages |= {"hit": found.hit.astype(np.int64)}
     if found.hit[0]:
         shaded: Shaded = shade_hit(direction, found, frame.sphere, frame.light, fmts)
-        names = ("leaving", "distance", "offset", "half_chord")
-        stages |= {name: np.asarray(getattr(found, name), dtype=np.int64) for name in names}
-        names = ("point", "normal", "mirrored", "light", "limit", "shadowed", "direct", "colour")
-        stages |= {name: np.asarray(getattr(shaded, name), dtype=np.int64) for name in names}
+        stages |= _fields(found, "leaving", "distance", "offset", "half_chord")
+        stages |= _fields(shaded, "point", "normal", "mirrored", "light", "limit", "shadowed")
+        stages |= _fields(shaded, "direct", "colour")
     return stages

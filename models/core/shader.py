@@ -49,7 +49,8 @@ def reflect(direction: Raw, normal: Raw, fmts: Formats) -> Raw:
 
 
 class LightVector(NamedTuple):
-    """Direction to the light (3, n) in `unit`, distance (n,) in `point`, at most infinity; light at the point."""
+    """Direction to the light (3, n) in `unit`, distance (n,) in `point`, at most infinity; light at the
+    point."""
 
     direction: Raw
     limit: Raw

@@ -23,6 +23,10 @@ class SphereHit(NamedTuple):
     along: Raw
     discriminant: Raw
 
+    def where(self, index: NDArray[np.intp]) -> "SphereHit":
+        """Some of the tests."""
+        return SphereHit._make(values[..., index] for values in self)
+
 
 def sphere_intersect(
     origin: Raw, direction: Raw, center: Raw, radius_sq: Raw, limit: Raw | int, fmts: Formats
@@ -50,7 +54,7 @@ def _square(vector: Raw) -> Raw:
     total = vector[0] * vector[0]
     total += vector[1] * vector[1]
     total += vector[2] * vector[2]
-    return total
+    return np.asarray(total)
 
 
 def _radicand_mask(fmts: Formats) -> int:

@@ -97,9 +97,7 @@ def measure(job: Job, runs: int) -> Figures:
             raise ValueError("the contenders did not draw the same picture: the figures mean nothing")
     rtl, bare_rate, ours = statistics.median(cocotb), statistics.median(bare), statistics.median(model)
     rate = cycles / rtl
-    return Figures(
-        str(job.file.path), runs, cycles, bare_rate, rate, rate / bare_rate, rtl, ours, rtl / ours
-    )
+    return Figures(str(job.file.path), runs, cycles, bare_rate, rate, rate / bare_rate, rtl, ours, rtl / ours)
 
 
 def main() -> int:

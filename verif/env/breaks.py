@@ -60,6 +60,7 @@ def judge(name: str, number: int, change: Break, simulator: Simulator) -> Verdic
             effort=_EFFORT,
             replacements=changed(change),
             run_name=f"break-{name}-{number}-{simulator}",
+            shrink=False,
         )
     except BuildError as error:
         raise UselessBreak(f"{name}, break {number}: {error}") from error

@@ -37,8 +37,8 @@ class Build:
     top: module at the top; parameters and defines: what it is built with; waves: with signal
     traces; harness: text of a generated top module, in place of a file of that name; control: text
     of a Verilator control file that names the signals that stay visible (all, without it);
-    optimise: the C++ compiler's level; timing: the top has delays, as one that makes its clock; label: what the folder is called, if not after the top;
-    replacements: text to build in place of what some files hold.
+    optimise: the C++ compiler's level; timing: the top has delays, as one that makes its clock;
+    label: what the folder is called, if not after the top.
     """
 
     top: str

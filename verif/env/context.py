@@ -5,6 +5,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import cocotb
 import numpy as np
@@ -27,7 +28,7 @@ class Context:
     examples: int
     operands: int
     database: Path | None
-    extra: Mapping[str, object]
+    extra: Mapping[str, Any]
 
     def generator(self, *stream: int) -> np.random.Generator:
         """A generator of its own for one component; ``stream`` numbers the components of a bench."""

@@ -80,7 +80,7 @@ def bit(name: str) -> Field:
 
 def count(operands: Operands) -> int:
     """How many operands there are."""
-    return next(iter(operands.values())).shape[-1]
+    return int(next(iter(operands.values())).shape[-1])
 
 
 def select(operands: Operands, index: slice | NDArray[np.int64]) -> Operands:

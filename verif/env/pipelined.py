@@ -11,8 +11,9 @@ from typing import Any
 
 import cocotb
 import numpy as np
+from cocotb.utils import get_sim_time
 
-from verif.env.clocking import Clocking
+from verif.env.clocking import PERIOD_NS, Clocking
 from verif.env.fields import Field, Operands, count, describe, describe_all, join, split
 from verif.env.harness import framed
 from verif.env.unit import TAG_W, Parameters, PipelinedUnit
@@ -93,6 +94,11 @@ class Checker:
                 raise Mismatch("\n".join(lines))
 
 
+def _clock_number() -> int:
+    """Number of the clock that is under way, the same for all that wake at one edge."""
+    return int(get_sim_time("ns")) // PERIOD_NS
+
+
 class PipelinedBench:
     """Drives a unit and watches it. Make one a test, with `create`."""
 
@@ -106,7 +112,7 @@ class PipelinedBench:
         self._given = Monitor(self._port)
         self._got = Monitor(dut.out)
         self._checker = Checker(unit, parameters)
-        self._watching = False
+        self._watched_from = 0
 
     @classmethod
     async def create(cls, dut: Any, unit: PipelinedUnit, parameters: Parameters) -> "PipelinedBench":
@@ -117,20 +123,24 @@ class PipelinedBench:
         return bench
 
     async def reset(self) -> None:
-        """Resets the unit and forgets what was in flight."""
+        """Resets the unit and forgets what was in flight.
+
+        The monitors see again from the second clock on: what was in flight must be gone by then.
+        """
         self._port.value = 0
-        self._watching = False
-        await self.clocking.reset()
+        self._watched_from = _clock_number() + 2
         self._given.trace.clear()
         self._got.trace.clear()
-        self._watching = True
+        await self.clocking.reset()
 
     async def _watch(self) -> None:
-        edge, clock = self.clocking.edge, 0
+        edge = self.clocking.edge
+        await edge
+        clock = _clock_number()
         while True:
             await edge
             clock += 1
-            if self._watching:
+            if clock >= self._watched_from:
                 self._given.sample(clock)
                 self._got.sample(clock)
 

@@ -16,6 +16,7 @@ from hypothesis.database import DirectoryBasedExampleDatabase
 from verif.env.context import Context
 
 _PHASES = tuple(phase for phase in Phase if phase is not Phase.explain)
+_SEARCH = (Phase.explicit, Phase.generate)
 
 
 async def check(context: Context, body: Callable[..., Any], *strategies: st.SearchStrategy[Any]) -> None:
@@ -24,7 +25,7 @@ async def check(context: Context, body: Callable[..., Any], *strategies: st.Sear
     configured = settings(
         max_examples=context.examples,
         deadline=None,
-        phases=_PHASES,
+        phases=_PHASES if context.extra.get("shrink", True) else _SEARCH,
         print_blob=True,
         database=None if database is None else DirectoryBasedExampleDatabase(str(database)),
         suppress_health_check=list(HealthCheck),

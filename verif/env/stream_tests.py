@@ -60,7 +60,7 @@ def _as_body(statement: Definition) -> Callable[..., Awaitable[None]]:
 
 
 def _length(bench: StreamBench, run: context.Context) -> int:
-    """Operands of a fast stream: half the clocks of a pipelined unit's, for four agents look at each clock."""
+    """Operands of a fast stream: half the clocks of a pipelined unit's, for four agents look at each."""
     return max(16, run.operands // (2 * bench.unit.rate(run.parameters)))
 
 

@@ -4,6 +4,8 @@ Random raw vectors are almost never unit vectors, and two of them almost never s
 angle; these make such classes common. Numbers are float64, whose error is far below any step.
 """
 
+from typing import Any
+
 import numpy as np
 from numpy.random import Generator
 from numpy.typing import NDArray
@@ -37,10 +39,10 @@ def truncated(values: Floats, fmt: Format) -> Raw:
     return fmt.saturate(np.trunc(values * fmt.one).astype(np.int64))
 
 
-def pick(generator: Generator, *choices: Floats | Raw) -> NDArray:
+def pick(generator: Generator, *choices: NDArray[Any]) -> NDArray[Any]:
     """For each operand, the last axis, one of the choices; they have the same shape."""
     chosen = generator.integers(0, len(choices), choices[0].shape[-1])
-    return np.choose(chosen, choices)
+    return np.asarray(np.choose(chosen, choices))
 
 
 def directions(generator: Generator, size: int) -> Floats:
@@ -69,11 +71,12 @@ def cosines(generator: Generator, size: int) -> Floats:
     anything = generator.uniform(-1.0, 1.0, size)
     step = generator.choice([-1.0, 0.0, 1.0], size) * 2.0 ** -generator.integers(6, 18, size)
     end = generator.choice([-1.0, 1.0], size) * (1.0 - np.abs(step))
-    return np.asarray(pick(generator, anything, anything, step, end))
+    return pick(generator, anything, anything, step, end)
 
 
 def where(premise: Holds, holds: Holds) -> Holds:
     """A definition that speaks only of some operands; it is refused where it speaks of hardly any."""
     if premise.mean() < 0.01:
-        raise ValueError(f"the premise holds for {premise.sum()} of {premise.size} operands: that checks nothing")
+        share = f"{premise.sum()} of {premise.size} operands"
+        raise ValueError(f"the premise holds for {share}: that checks nothing")
     return np.asarray(~premise | holds)

@@ -79,6 +79,7 @@ def _write(job: Job, drawn: Drawn, expected: Expected, summary: Summary) -> None
         }
         for name, picture in pictures.items():
             images.save_png(made / name, picture)
+        (made / "frame.hex").write_text(pack(job.file.scene).to_hex(f"{job.name}, for $readmemh"))
         (made / "summary.json").write_text(json.dumps(summary.as_dict(), indent=2) + "\n")
         job.out.mkdir(exist_ok=True)
         for path in made.iterdir():

@@ -80,9 +80,7 @@ def summarise(job: Job, drawn: Drawn, expected: Expected) -> Summary:
         height=job.view.height,
         pixels=pixels,
         mismatched_pixels=len(wrong_pixels(drawn, expected)),
-        hit_mismatch_percent=images.hit_mismatch_percent(
-            drawn.hit.astype(np.int32), expected.reference.hit
-        ),
+        hit_mismatch_percent=images.hit_mismatch_percent(drawn.hit.astype(np.int32), expected.reference.hit),
         psnr_db=None if math.isinf(psnr) else psnr,
         cycles=drawn.cycles,
         cycles_per_pixel=drawn.cycles / pixels,

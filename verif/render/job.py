@@ -95,9 +95,7 @@ def _fits(file: SceneFile) -> None:
     pack(scene)
 
 
-def request(
-    scene: str, size: str | None, out: str | None, sim: str, build: str, pixel: str | None
-) -> Job:
+def request(scene: str, size: str | None, out: str | None, sim: str, build: str, pixel: str | None) -> Job:
     """The job that these words ask for.
 
     Raises SceneError for the scene, RequestError for the rest, MissingTool for the simulator.

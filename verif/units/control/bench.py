@@ -1,4 +1,4 @@
-"""Tests of the control: blocks of drawn speed and drawn faults around it, and what it must do for each frame."""
+"""Tests of the control: blocks of drawn speed and drawn faults around it, and what each frame must bring."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
@@ -14,6 +14,17 @@ from verif.env.pipelined import Mismatch
 
 _LOAD_FAULTS = (Fault.FRAME_SHORT, Fault.FRAME_LONG, Fault.CAPACITY, Fault.KIND, Fault.RADIUS)
 _CAMERA_FAULTS = (Fault.SIZE, Fault.CAMERA_POSITION, Fault.CAMERA_UP)
+_OUTPUTS = (
+    "load_ready",
+    "swap",
+    "camera_start",
+    "object_start",
+    "draw_start",
+    "size_lock",
+    "frame_done",
+    "frame_error",
+    "busy",
+)
 _OVERHEAD = 12
 """Clocks of a frame beside the work of the blocks, at most."""
 
@@ -84,10 +95,6 @@ class Blocks:
 class ControlBench(Block):
     """One control, the blocks around it, and the rules of its outputs."""
 
-    _OUTPUTS = (
-        ["load_ready", "swap", "camera_start", "object_start", "draw_start", "size_lock", "frame_done", "frame_error", "busy"]
-    )
-
     def __init__(self, dut: Any) -> None:
         super().__init__(dut, idle=("load_done", "camera_done", "object_done", "draw_done", "has_object"))
         self._blocks = Blocks(())
@@ -127,7 +134,7 @@ class ControlBench(Block):
             draw_done=int(draw_done),
             has_object=int(blocks.current.has_object) if blocks.current else 0,
         )
-        seen = {name: bool(self.read(name)) for name in self._OUTPUTS}
+        seen = {name: bool(self.read(name)) for name in _OUTPUTS}
         self._rules(seen, load_done and not load_fault, bool(camera_fault))
         self._errors(seen, load_fault, camera_fault)
         self._react(seen, load_done)

@@ -9,7 +9,6 @@ UNIT = Unit(
     sets={"bit": {"WIDTH": 1, "DEPTHS": 36}},
     breaks=(
         Break("arith/delay.v", "localparam WORDS = DEPTH - 1;", "localparam WORDS = DEPTH - 2;"),
-        Break("arith/delay.v", "DEPTH < 4", "DEPTH < 3"),
         Break("arith/delay.v", "if (rst || pointer_reg == LAST)", "if (pointer_reg == LAST)", set="bit"),
         Break("arith/delay.v", "chain_next[DEPTH*WIDTH+:WIDTH]", "chain_next[(DEPTH-1)*WIDTH+:WIDTH]"),
     ),

@@ -25,7 +25,7 @@ _INFINITY = float(INFINITY) * FMTS.point.one
 def _reach(given: Operands) -> Floats:
     """Light minus point, in steps of a point, exact."""
     shift = FMTS.point.frac_bits - FMTS.coord.frac_bits
-    return ((given["light"] << shift) - given["point"]).astype(np.float64)
+    return np.asarray((given["light"] << shift) - given["point"], dtype=np.float64)
 
 
 def direction_points_from_the_point_to_the_light(_: Parameters, given: Operands, got: Operands) -> Holds:
@@ -43,10 +43,11 @@ def limit_is_the_distance_to_the_light_or_infinity(_: Parameters, given: Operand
     """Within the bound; infinity is the most there is."""
     exact = vectors.length(_reach(given))
     bound = 1.001 * (1.0 + _ROOT_3) * _STEP * exact + 1.0
-    return (got["limit"] <= _INFINITY) & (np.abs(got["limit"] - np.minimum(exact, _INFINITY)) <= bound)
+    off = np.abs(got["limit"] - np.minimum(exact, _INFINITY))
+    return np.asarray((got["limit"] <= _INFINITY) & (off <= bound))
 
 
-def light_further_than_infinity_has_the_limit_of_infinity(_: Parameters, given: Operands, got: Operands) -> Holds:
+def light_beyond_infinity_has_the_limit_of_infinity(_: Parameters, given: Operands, got: Operands) -> Holds:
     """Beyond the bound, exactly."""
     far = vectors.length(_reach(given)) * (1.0 - 1.001 * (1.0 + _ROOT_3) * _STEP) > _INFINITY + 1.0
     return vectors.where(far, got["limit"] == int(_INFINITY))
@@ -64,7 +65,7 @@ globals().update(
         direction_points_from_the_point_to_the_light,
         no_component_points_the_other_way,
         limit_is_the_distance_to_the_light_or_infinity,
-        light_further_than_infinity_has_the_limit_of_infinity,
+        light_beyond_infinity_has_the_limit_of_infinity,
         only_a_light_at_the_point_is_degenerate,
     )
 )

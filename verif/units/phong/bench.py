@@ -15,7 +15,7 @@ import numpy as np
 from models.limits import SHININESS
 from verif.env.context import Context
 from verif.env.definitions import Holds, all_lanes
-from verif.env.fields import Operands, count
+from verif.env.fields import Operands, count, describe_all
 from verif.env.pipelined import Mismatch, PipelinedBench
 from verif.env.pipelined_tests import mixed, standard_tests
 from verif.env.unit import Parameters
@@ -91,7 +91,8 @@ async def more_light_never_darkens(bench: PipelinedBench, run: Context) -> None:
     _, after = await bench.answers({**drawn, **more})
     darker = np.flatnonzero((after["colour"] < before["colour"]).any(axis=0))
     if darker.size:
-        raise Mismatch(f"{darker.size} of {count(drawn)} operands are darker in more light, first {darker[0]}")
+        text = describe_all(bench.unit.inputs(run.parameters), drawn, int(darker[0]))
+        raise Mismatch(f"{darker.size} of {count(drawn)} operands are darker in more light, as\n{text}")
 
 
 globals().update(

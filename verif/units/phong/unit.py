@@ -32,7 +32,7 @@ def _outputs(_: Parameters) -> tuple[Field, ...]:
 
 def _model(p: Parameters, operands: Operands) -> Operands:
     given = {**operands, "dark": operands["dark"] == 1}
-    return {"colour": phong(*[given[port.name] for port in _inputs(p)], FMTS)}
+    return {"colour": phong(*[given[port.name] for port in _inputs(p)], fmts=FMTS)}
 
 
 def coefficients(generator: Generator, size: int) -> Raw:
@@ -40,7 +40,7 @@ def coefficients(generator: Generator, size: int) -> Raw:
     usual = generator.integers(0, FMTS.coeff.one, (3, size), endpoint=True)
     large = generator.integers(0, FMTS.coeff.max, (3, size), endpoint=True)
     ends = generator.choice([0, FMTS.coeff.one, FMTS.coeff.max], (3, size), p=(0.3, 0.6, 0.1))
-    return np.asarray(vectors.pick(generator, usual, usual, usual, ends, large))
+    return vectors.pick(generator, usual, usual, usual, ends, large)
 
 
 def _directed(_: Parameters, generator: Generator, size: int) -> Operands:

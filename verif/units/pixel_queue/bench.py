@@ -1,4 +1,4 @@
-"""Tests of the queue of pixels: whatever the order of the pixels and the stalls, each comes once, in its place."""
+"""Tests of the queue of pixels: in whatever order they come back, each is sent once, in its place."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -197,7 +197,7 @@ async def reset_in_the_middle_of_a_picture_empties_the_queue(dut: Any) -> None:
 
 @cocotb.test()
 async def a_consumer_that_stops_stops_the_slots(dut: Any) -> None:
-    """It takes nothing for a long time: as many pixels as there are slots, and one, are in the queue; none is lost."""
+    """It takes nothing for long: the slots, and the output, hold a pixel each, and none is lost."""
     bench, _ = await _bench(dut)
     stalls = (3 * bench.slots + 40, *(0,) * 3 * bench.slots)
     slow = Picture(bench.slots, 3, (), (0,), (), stalls)

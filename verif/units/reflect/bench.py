@@ -33,7 +33,7 @@ def _apt(v: Floats, n: Floats) -> Holds:
 def _bound(v: Floats, n: Floats) -> Floats:
     p = vectors.length(n)
     cosine = np.abs(vectors.dot(vectors.unit(n), v))
-    return 2.0 * np.abs(p * p - 1.0) * cosine + 2.0 * (p + np.sqrt(3.0)) * _STEP + SLACK
+    return np.asarray(2.0 * np.abs(p * p - 1.0) * cosine + 2.0 * (p + np.sqrt(3.0)) * _STEP + SLACK)
 
 
 def result_is_the_mirror_image_at_the_surface(_: Parameters, given: Operands, got: Operands) -> Holds:

@@ -42,6 +42,6 @@ UNIT = PipelinedUnit(
     breaks=(
         Break("shade/reflect.v", "- {n[W-1], n, 1'b0}", "- {{2{n[W-1]}}, n}"),
         Break("shade/reflect.v", "- {n[W-1], n, 1'b0}", "- {1'b0, n, 1'b0}"),
-        Break("shade/reflect.v", ".in_valid (in_valid),\n        .in_tag   ({direction, normal", ".in_valid (1'b1),\n        .in_tag   ({direction, normal"),
+        Break("shade/reflect.v", ".in_valid (along_valid)", ".in_valid (1'b1)"),
     ),
 )

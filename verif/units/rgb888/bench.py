@@ -9,7 +9,7 @@ from verif.env.unit import Parameters
 from verif.units.rgb888.unit import FMTS, UNIT
 
 
-def byte_is_255_times_the_colour_truncated_and_clamped(_: Parameters, given: Operands, got: Operands) -> Holds:
+def byte_is_255_times_the_colour_truncated(_: Parameters, given: Operands, got: Operands) -> Holds:
     """byte <= 255 c < byte + 1 with c the colour's fraction, exactly; 255 from there on."""
     scaled, byte = 255 * given["colour"], got["pixel"]
     below_next = scaled < (byte + 1) * FMTS.shade.one
@@ -32,7 +32,7 @@ def every_byte_occurs(_: Parameters, given: Operands, got: Operands) -> Holds:
 globals().update(
     standard_tests(
         UNIT,
-        byte_is_255_times_the_colour_truncated_and_clamped,
+        byte_is_255_times_the_colour_truncated,
         colours_of_one_and_more_are_full_and_darker_ones_are_not,
         every_byte_occurs,
     )

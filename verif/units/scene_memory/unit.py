@@ -1,9 +1,22 @@
 """The scene memory: this slice's capacity, and the book's."""
 
-from verif.env.unit import Unit
+from verif.env.unit import Break, Unit
 
 UNIT = Unit(
     name="scene_memory",
     parameters={"LIGHTS": 1, "SPHERES": 1},
     sets={"book": {"LIGHTS": 3, "SPHERES": 3}},
+    breaks=(
+        Break(
+            "scene/scene_memory.v", "cameras[!bank_reg] <= write_record", "cameras[bank_reg] <= write_record"
+        ),
+        Break("scene/scene_memory.v", "lights[{bank_reg, light_index}]", "lights[{!bank_reg, light_index}]"),
+        Break("scene/scene_memory.v", "if (rst) bank_reg <= 1'b0;", "if (1'b0) bank_reg <= 1'b0;"),
+        Break(
+            "scene/scene_memory.v",
+            "spheres[{!bank_reg, write_index[SPHERE_INDEX_W-1:0]}]",
+            "spheres[{!bank_reg, write_index[SPHERE_INDEX_W-1:0] & 1'b1}]",
+            set="book",
+        ),
+    ),
 )

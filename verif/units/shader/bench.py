@@ -25,7 +25,7 @@ from verif.env.pipelined_tests import standard_tests
 from verif.env.unit import Parameters
 from verif.env.vectors import SLACK, Floats
 from verif.units.highlight.bench import power_bound
-from verif.units.shader.unit import FMTS, SCENE, UNIT
+from verif.units.shader.unit import FMTS, SCENE, UNIT, rays_of_a_scene
 
 _POINT_STEP, _UNIT_STEP, _SHADE_STEP = (1.0 / fmt.one for fmt in (FMTS.point, FMTS.unit, FMTS.shade))
 _SHADE_MOST = FMTS.shade.max * _SHADE_STEP
@@ -71,7 +71,7 @@ def ray_that_misses_brings_the_weighted_background(_: Parameters, given: Operand
     return vectors.where(miss, all_lanes(floor) & (got["light_at_point"] == 0))
 
 
-def hit_without_a_light_has_the_weighted_ambient_light(_: Parameters, given: Operands, got: Operands) -> Holds:
+def hit_without_a_light_has_the_ambient_light(_: Parameters, given: Operands, got: Operands) -> Holds:
     """Exactly, floored and saturated once."""
     unlit = (given["hit"] == 1) & (given["light_on"] == 0)
     port = UNIT.outputs({})[0]
@@ -79,7 +79,7 @@ def hit_without_a_light_has_the_weighted_ambient_light(_: Parameters, given: Ope
     return vectors.where(unlit, all_lanes(floor) & (got["light_at_point"] == 0))
 
 
-def no_light_makes_a_hit_darker_than_its_ambient_light(_: Parameters, given: Operands, got: Operands) -> Holds:
+def no_light_makes_a_hit_darker_than_its_ambient(_: Parameters, given: Operands, got: Operands) -> Holds:
     """Whatever is behind or in front of it."""
     ambient = (given["ambient"] * given["weight"]) >> FMTS.shade.frac_bits
     least = np.minimum(ambient, FMTS.shade.max)
@@ -189,7 +189,7 @@ def _in_many_scenes(statement: Definition) -> Callable[..., Awaitable[None]]:
         parts = []
         for scene in range(max(12, min(run.operands, 10_000) // _RAYS)):
             generator = run.generator(_SCENE_STREAM, scene)
-            parts.append(await bench.answers(UNIT.directed(run.parameters, generator, _RAYS)))
+            parts.append(await bench.answers(rays_of_a_scene(generator, _RAYS)))
         given, got = (concatenate(side) for side in zip(*parts, strict=True))
         definitions.check(statement, UNIT, run.parameters, given, got)
 
@@ -202,13 +202,13 @@ async def whole_hits_of_many_scenes_match_the_model(bench: PipelinedBench, run: 
     """A scene, its rays, the next scene."""
     for scene in range(max(12, min(run.operands, 10_000) // _RAYS)):
         generator = run.generator(_SCENE_STREAM + 1, scene)
-        await bench.run(UNIT.directed(run.parameters, generator, _RAYS))
+        await bench.run(rays_of_a_scene(generator, _RAYS))
 
 
 _STATEMENTS = (
     ray_that_misses_brings_the_weighted_background,
-    hit_without_a_light_has_the_weighted_ambient_light,
-    no_light_makes_a_hit_darker_than_its_ambient_light,
+    hit_without_a_light_has_the_ambient_light,
+    no_light_makes_a_hit_darker_than_its_ambient,
     only_a_light_at_the_hit_point_is_reported,
     some_light_is_at_the_hit_point_and_adds_nothing,
     lit_hit_has_the_colour_of_the_equation,

@@ -101,7 +101,7 @@ def _scene(generator: Generator) -> tuple[Operands, Raw]:
     center, radius = rays.spheres(generator, 1, FMTS)
     material = {name: coefficients(generator, 1) for name in ("k_diffuse", "k_specular", "k_transparency")}
     constants = object_setup(radius, coefficients(generator, 1), coefficients(generator, 1), FMTS)
-    scene = {
+    scene: dict[str, Raw] = {
         **vars(constants),
         **material,
         "center": center,
@@ -113,7 +113,7 @@ def _scene(generator: Generator) -> tuple[Operands, Raw]:
     return scene, radius
 
 
-def _directed(_: Parameters, generator: Generator, size: int) -> Operands:
+def rays_of_a_scene(generator: Generator, size: int) -> Operands:
     """Rays past the sphere of one scene, a tenth of them along the axis x, which hit its very pole."""
     scene, radius = _scene(generator)
     center = np.broadcast_to(scene["center"], (3, size))
@@ -144,7 +144,7 @@ UNIT = PipelinedUnit(
     outputs=_outputs,
     model=_model,
     legal=_one_scene,
-    directed=_directed,
+    directed=lambda _, generator, size: rays_of_a_scene(generator, size),
     breaks=(
         Break("shade/shader.v", "shadowed ? k_transparency : {3{ONE}}", "{3{ONE}}"),
         Break("shade/shader.v", "shadow_degenerate || !light_on", "!light_on"),

@@ -11,11 +11,12 @@ from verif.env.fields import Operands
 
 
 def spheres(generator: Generator, size: int, fmts: Formats) -> tuple[Raw, Raw]:
-    """Centers (3, n) in `coord` and radii (n,) in `radius`: around the origin, anywhere, at the range's edge."""
+    """Centers (3, n) in `coord` and radii (n,) in `radius`: near 0, anywhere, at the range's edge."""
     one = fmts.coord.one
     near = generator.integers(-8 * one, 8 * one, (3, size))
     anywhere = generator.integers(fmts.coord.min, fmts.coord.max, (3, size), endpoint=True)
-    edge = generator.choice([fmts.coord.min, fmts.coord.max], (3, size)) + generator.integers(-one, one, (3, size))
+    edge = generator.choice([fmts.coord.min, fmts.coord.max], (3, size))
+    edge += generator.integers(-one, one, (3, size))
     center = vectors.pick(generator, near, near, anywhere, fmts.coord.saturate(edge))
     return center, generator.integers(1, fmts.radius.max, size, endpoint=True)
 
@@ -49,7 +50,8 @@ def limits(generator: Generator, distance: Raw, fmts: Formats) -> Raw:
     nothing = np.full(size, int(INFINITY * one))
     step = generator.integers(-1, 1, size, endpoint=True)
     smallest = int(T_MIN * one) + step
-    return np.asarray(vectors.pick(generator, nothing, nothing, fmts.point.saturate(distance + step), smallest))
+    at_hit = fmts.point.saturate(distance + step)
+    return vectors.pick(generator, nothing, nothing, at_hit, smallest)
 
 
 def tests(generator: Generator, size: int, fmts: Formats) -> Operands:

@@ -33,7 +33,7 @@ def _outputs(_: Parameters) -> tuple[Field, ...]:
 
 def _hit(operands: Operands) -> SphereHit:
     names = ("origin", "direction", "center", "radius_sq", "limit")
-    return sphere_intersect(*[operands[name] for name in names], FMTS)
+    return sphere_intersect(*[operands[name] for name in names], fmts=FMTS)
 
 
 def _model(p: Parameters, operands: Operands) -> Operands:

@@ -4,6 +4,7 @@ import numpy as np
 from numpy.random import Generator
 
 from models.core import sphere_intersect, surface
+from models.fixed import Raw
 from models.formats import Knobs, formats
 from verif.env.fields import Field, Operands, bit
 from verif.env.unit import Break, Parameters, PipelinedUnit
@@ -29,7 +30,7 @@ def _outputs(_: Parameters) -> tuple[Field, ...]:
 
 def _model(p: Parameters, operands: Operands) -> Operands:
     given = {**operands, "leaving": operands["leaving"] == 1}
-    return surface(*[given[port.name] for port in _inputs(p)], FMTS)._asdict()
+    return surface(*[given[port.name] for port in _inputs(p)], fmts=FMTS)._asdict()
 
 
 def _directed(_: Parameters, generator: Generator, size: int) -> Operands:
@@ -48,9 +49,9 @@ def _directed(_: Parameters, generator: Generator, size: int) -> Operands:
     }
 
 
-def inverse(radius: np.ndarray) -> np.ndarray:
+def inverse(radius: Raw) -> Raw:
     """1 / radius in `inv_radius` of radii in `radius`, floored."""
-    return (1 << (FMTS.inv_radius.frac_bits + FMTS.radius.frac_bits)) // radius
+    return np.asarray((1 << (FMTS.inv_radius.frac_bits + FMTS.radius.frac_bits)) // radius)
 
 
 UNIT = PipelinedUnit(

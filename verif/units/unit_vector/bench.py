@@ -8,6 +8,7 @@ less than a step, so a component is off by less than (2 + sqrt 3) u, or 2 u wher
 
 import numpy as np
 
+from models.fixed import Raw
 from verif.env import vectors
 from verif.env.definitions import Holds, all_lanes
 from verif.env.fields import Operands
@@ -20,7 +21,7 @@ _STEP = 1.0 / FMTS.unit.one
 _MANTISSA_W = FMTS.mantissa.width
 
 
-def _lost(p: Parameters, shift: Floats) -> Floats:
+def _lost(p: Parameters, shift: Raw) -> Floats:
     """By how much the mantissa may be off in length."""
     return np.where(shift < p["IN_W"] - _MANTISSA_W, np.sqrt(3.0), 0.0)
 
@@ -38,20 +39,23 @@ def norm_and_shift_give_the_length_of_the_vector(p: Parameters, given: Operands,
     exact = vectors.length(given["vector"].astype(np.float64)) / scale
     lost = _lost(p, got["shift"])
     slack = SLACK * (1.0 + exact)
-    return (got["norm"] < exact + lost + slack) & (got["norm"] > exact - lost - 1.0 - slack)
+    above, below = got["norm"] < exact + lost + slack, got["norm"] > exact - lost - 1.0 - slack
+    return np.asarray(above & below)
 
 
 def length_of_the_result_is_one(p: Parameters, given: Operands, got: Operands) -> Holds:
     """At most 1 but for the norm's floor, and never more than three truncated components below it."""
     size = vectors.length(FMTS.unit.to_float(got["unit"]))
     nonzero = (given["vector"] != 0).any(axis=0)
-    return ~nonzero | ((size < 1.0 + _STEP + SLACK) & (size > 1.0 - np.sqrt(3.0) * _STEP - SLACK))
+    within = (size < 1.0 + _STEP + SLACK) & (size > 1.0 - np.sqrt(3.0) * _STEP - SLACK)
+    return np.asarray(~nonzero | within)
 
 
 def only_the_zero_vector_is_degenerate_and_gives_zero(_: Parameters, given: Operands, got: Operands) -> Holds:
     """The flag says so, and the result is zero only then."""
     zero = (given["vector"] == 0).all(axis=0)
-    return ((got["degenerate"] == 1) == zero) & ((got["unit"] == 0).all(axis=0) == zero)
+    nothing = (got["unit"] == 0).all(axis=0)
+    return np.asarray(((got["degenerate"] == 1) == zero) & (nothing == zero))
 
 
 def no_component_points_the_other_way(_: Parameters, given: Operands, got: Operands) -> Holds:

@@ -68,7 +68,7 @@ class UnpackBench(Block):
             same(
                 f"{wanted.width} bits of {self._bits}", int(self._bits[: wanted.width], 2), self.read("field")
             )
-        same("short", self._ended and not valid, bool(self.read("short")))
+        same("lacking", self._ended and not valid, bool(self.read("lacking")))
         same("ended", self._ended, bool(self.read("ended")))
         same(
             f"surplus with {len(self._bits)} bits left", len(self._bits) >= _WORD, bool(self.read("surplus"))
