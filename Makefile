@@ -7,10 +7,12 @@ PYTHON ?= python3
 VENV   := .venv
 READY  := $(VENV)/ready
 BIN    := $(VENV)/bin
-# Nothing is told to Python twice, and no folder of the user's home is written.
+# No folder is written but this one, and in it no caches beside the sources.
 export PYTHONDONTWRITEBYTECODE := 1
+export HYPOTHESIS_STORAGE_DIRECTORY := $(CURDIR)/build/hypothesis
 unexport WAVES SIM SEED UNIT
 
+UNITS  := $(patsubst verif/units/%/unit.py,%,$(wildcard verif/units/*/unit.py))
 JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 
 # A command line option for a variable that is set: $(call option,--size,SIZE)
@@ -42,16 +44,14 @@ test: lint ## runs every test
 	@$(BIN)/python -m pytest -n $(JOBS)
 
 unit: $(READY) ## runs one unit's bench: UNIT=sqrt [SIM=icarus] [SET=narrow] [SEED=n] [WAVES=1] [EXAMPLES=n] [OPERANDS=n]
-	@test -n "$(UNIT)" || { echo "UNIT is missing; one of: $$(ls verif/units | grep -v '^_' | tr '\n' ' ')" >&2; exit 2; }
+	@test -n "$(UNIT)" || { echo "UNIT is missing; one of: $(UNITS)" >&2; exit 2; }
 	@$(BIN)/python -m pytest verif/test_units.py --unit '$(UNIT)' $(call option,--sim,SIM) $(call option,--seed,SEED) \
 		$(call option,--set,SET) $(call option,--examples,EXAMPLES) $(call option,--operands,OPERANDS) $(if $(WAVES),--waves)
 
-lint: $(READY) ## checks Verilog, Python, types, and that generated files are fresh
+lint: $(READY) ## checks Verilog, Python and types, all warnings on
 	@$(BIN)/ruff check --quiet
 	@$(BIN)/ruff format --check --quiet
 	@$(BIN)/mypy
-	@$(BIN)/python -m models.header --check
-	@$(BIN)/python -m models.stages --check
 	@$(BIN)/python -m verif.lint
 
 format: $(READY) ## formats the Python

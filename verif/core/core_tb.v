@@ -8,11 +8,13 @@
 // which, and the file is up to date.
 //
 // Ports beside the core's
-//   clk               the clock, 10 ns
+//   clk               the clock, 10 ns; an input where RT_CLOCK_FROM_OUTSIDE is defined, for benches
+//                     that look at every clock: Verilator shows a clock of its own too late, when
+//                     the registers have changed already
 //   object            (in the file) number of the object that the pixel's primary ray hit, 255 for
 //                     none; seen at the intersection, kept by pixel slot
 //   pixels            pixels in the file
-//   unknown           a pixel had an X or a Z in it
+//   unknown           a pixel since reset had an X or a Z in it
 //   cycles            clocks from the first word of the frame to its last pixel
 //   probe_x, probe_y  a pixel whose values are kept at each stage, while probe_on is high
 //   probe             the values; see probe.py for the fields. probe_done: all of them are there
@@ -24,7 +26,11 @@ module core_tb #(
     parameter PIXELS_IN_FLIGHT = 256,
     parameter SIZE_W           = 12
 ) (
+`ifdef RT_CLOCK_FROM_OUTSIDE
+    input  wire                    clk,
+`else
     output reg                     clk,
+`endif
     input  wire                    rst,
     input  wire [      SIZE_W-1:0] width,
     input  wire [      SIZE_W-1:0] height,
@@ -59,8 +65,10 @@ module core_tb #(
                   + `RT_HALF_CHORD_W + 6*`RT_SHADE_W + 3*`RT_CHANNEL_W + 3 - 1:0] probe
 );
 
+`ifndef RT_CLOCK_FROM_OUTSIDE
     initial clk = 1'b0;
     always #5 clk = !clk;
+`endif
 
     localparam SLOT_W = $clog2(PIXELS_IN_FLIGHT);
     localparam [7:0] NO_OBJECT = 8'hff;
@@ -123,6 +131,7 @@ module core_tb #(
             if (^entry === 1'bx) unknown <= 1'b1;
         end
         if (!rst && told) $fflush(file);
+        if (rst) unknown <= 1'b0;
     end
 
     always @(posedge clk) begin

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from cocotb.triggers import First, ReadOnly, Timer
+from cocotb.triggers import FallingEdge, First, ReadOnly, Timer
 from numpy.typing import NDArray
 
 from models.core import Registers
@@ -41,11 +41,12 @@ class Picture:
 
 
 class CoreDriver:
-    """The core with its clock running."""
+    """The core with its clock running; ``own_clock``: as `core_build` builds it, not as `stepped_build`."""
 
-    def __init__(self, dut: Any) -> None:
+    def __init__(self, dut: Any, own_clock: bool = True) -> None:
         self._dut = dut
-        self.clocking = Clocking(dut, own_clock=True)
+        self.clocking = Clocking(dut, own_clock)
+        self._fall = FallingEdge(dut.clk)
         self._read = 0
         dut.rst.value = 1
         dut.s_axis_frame_tvalid.value = 0
@@ -59,6 +60,7 @@ class CoreDriver:
         self._dut.s_axis_frame_tvalid.value = 0
         self.registers(registers)
         await self.clocking.reset()
+        self._read = self._written
 
     async def probe(self, x: int, y: int) -> None:
         """From the next frame on keeps the stages of one pixel."""
@@ -72,16 +74,22 @@ class CoreDriver:
         return int(str(self._dut.probe.value), 2) if int(self._dut.probe_done.value) else None
 
     async def send(self, words: Sequence[int]) -> None:
-        """One frame, a word a clock where the core takes it."""
+        """One frame, a word a clock where the core takes it.
+
+        Words change at the falling edge, where ready is what the next rising edge will find, whoever
+        makes the clock.
+        """
         valid, ready = self._dut.s_axis_frame_tvalid, self._dut.s_axis_frame_tready
         data, last = self._dut.s_axis_frame_tdata, self._dut.s_axis_frame_tlast
+        await self._fall
         valid.value = 1
         for index, word in enumerate(words):
             data.value = word
             last.value = int(index == len(words) - 1)
-            await self.clocking.edge
-            while not int(ready.value):
-                await self.clocking.edge
+            taken = False
+            while not taken:
+                taken = bool(int(ready.value))
+                await self._fall
         valid.value = 0
 
     async def draw(

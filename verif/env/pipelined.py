@@ -118,8 +118,8 @@ class PipelinedBench:
     async def create(cls, dut: Any, unit: PipelinedUnit, parameters: Parameters) -> "PipelinedBench":
         """A bench whose clock runs and whose unit has been reset."""
         bench = cls(dut, unit, parameters)
-        await bench.reset()
         cocotb.start_soon(bench._watch())
+        await bench.reset()
         return bench
 
     async def reset(self) -> None:
@@ -135,7 +135,7 @@ class PipelinedBench:
 
     async def _watch(self) -> None:
         edge = self.clocking.edge
-        await edge
+        await edge  # still under reset
         clock = _clock_number()
         while True:
             await edge

@@ -15,6 +15,8 @@ from verif.env.definitions import Holds
 
 Floats = NDArray[np.float64]
 
+_ENOUGH, _RARE = 1_000, 0.01
+
 SLACK = 1e-9
 """What float64 itself may be off in an oracle; a step of the core is 1e-5 and more."""
 
@@ -75,8 +77,8 @@ def cosines(generator: Generator, size: int) -> Floats:
 
 
 def where(premise: Holds, holds: Holds) -> Holds:
-    """A definition that speaks only of some operands; it is refused where it speaks of hardly any."""
-    if premise.mean() < 0.01:
+    """A definition that speaks only of some operands; refused where of many it speaks of hardly any."""
+    if premise.size >= _ENOUGH and premise.mean() < _RARE:
         share = f"{premise.sum()} of {premise.size} operands"
         raise ValueError(f"the premise holds for {share}: that checks nothing")
     return np.asarray(~premise | holds)

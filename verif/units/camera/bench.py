@@ -234,6 +234,19 @@ async def faults_are_found_exactly_and_only_where_they_are(dut: Any) -> None:
 
 
 @cocotb.test()
+async def the_smallest_step_beside_the_view_is_an_up(dut: Any) -> None:
+    """Views and ups of one step along the axes: their product is one step, or nothing."""
+    bench = await CameraBench.create(dut)
+    axes: tuple[Vec3, ...] = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
+    size = Registers(3, 2, _FORMATS.tan.one, _FORMATS.tan.one)
+    for view in axes:
+        for x, y, z in axes:
+            for up in ((x, y, z), (-x, -y, -z)):
+                fault = await bench.run(Camera((0, 0, 0), up, view), size)
+                same("refused", view == (x, y, z), fault is Fault.CAMERA_UP)
+
+
+@cocotb.test()
 async def reset_in_any_state_leaves_nothing_behind(dut: Any) -> None:
     """Reset at a drawn clock: no done comes of it, the next camera is exact."""
     bench = await CameraBench.create(dut)

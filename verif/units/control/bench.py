@@ -152,6 +152,12 @@ class ControlBench(Block):
             raise Mismatch("load_ready while a frame waits or is set up")
         if seen["frame_done"] or refused:
             self._busy = False
+        current = self._blocks.current
+        if seen["draw_start"] and current is not None:
+            if self._blocks.camera.left > 0:
+                raise Mismatch("draw_start before the camera is done")
+            if current.has_object and self._blocks.object.left > 0:
+                raise Mismatch("draw_start before the object is set up")
         # From the end of a load to the start of drawing, or the refusal, the records are needed.
         self._occupied = (self._occupied or loaded) and not (seen["draw_start"] or refused)
 

@@ -1,5 +1,7 @@
 """What a light adds to a hit: ports, model, angles and coefficients that matter."""
 
+from typing import Any
+
 import numpy as np
 from numpy.random import Generator
 
@@ -31,8 +33,9 @@ def _outputs(_: Parameters) -> tuple[Field, ...]:
 
 
 def _model(p: Parameters, operands: Operands) -> Operands:
-    given = {**operands, "dark": operands["dark"] == 1}
-    return {"colour": phong(*[given[port.name] for port in _inputs(p)], fmts=FMTS)}
+    given: dict[str, Any] = {port.name: operands[port.name] for port in _inputs(p)}
+    given["dark"] = given["dark"] == 1
+    return {"colour": phong(**given, fmts=FMTS)}
 
 
 def coefficients(generator: Generator, size: int) -> Raw:

@@ -1,5 +1,6 @@
 """Colours as bytes: ports, model, colours around every byte's edge."""
 
+import numpy as np
 from numpy.random import Generator
 
 from models.core import rgb888
@@ -24,10 +25,11 @@ def _model(_: Parameters, operands: Operands) -> Operands:
 
 
 def _directed(_: Parameters, generator: Generator, size: int) -> Operands:
-    """The edges of all bytes, 1 and a little more, and their neighbours."""
-    byte = generator.integers(0, FULL + 2, (3, size), endpoint=True)
-    edge = -(-byte * FMTS.shade.one // FULL)
-    return {"colour": FMTS.shade.saturate(edge + generator.integers(-1, 1, (3, size), endpoint=True))}
+    """The edges of all bytes in turn, 1 and a little more, and then their neighbours."""
+    edges = -(-np.arange(FULL + 3) * FMTS.shade.one // FULL)
+    beside = (edges + np.array([[0], [-1], [1]])).ravel()
+    turns = [np.resize(generator.permutation(beside), size) for _ in range(3)]
+    return {"colour": FMTS.shade.saturate(turns)}
 
 
 UNIT = PipelinedUnit(

@@ -9,7 +9,7 @@ and of a unit vector, e_X = sqrt 3 u bounds the point's error, e_N the normal's,
 those of the directions to the light and of the mirror, with p the normal's length.
 """
 
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -25,12 +25,12 @@ from verif.env.pipelined_tests import standard_tests
 from verif.env.unit import Parameters
 from verif.env.vectors import SLACK, Floats
 from verif.units.highlight.bench import power_bound
-from verif.units.shader.unit import FMTS, SCENE, UNIT, rays_of_a_scene
+from verif.units.shader.unit import FMTS, LIGHTS, SCENE, UNIT, rays_of_a_scene
 
 _POINT_STEP, _UNIT_STEP, _SHADE_STEP = (1.0 / fmt.one for fmt in (FMTS.point, FMTS.unit, FMTS.shade))
 _SHADE_MOST = FMTS.shade.max * _SHADE_STEP
 _ROOT_3 = float(np.sqrt(3.0))
-_RAYS = 250
+_SCENES, _RAYS = 40, 250
 _SCENE_STREAM = 1 << 18
 _CLEAR = 1e-2
 """How far from its limits a shadow ray's distance must be to be decided: more than any error here."""
@@ -182,14 +182,20 @@ def lit_hit_has_the_colour_of_the_equation(_: Parameters, given: Operands, got: 
     return vectors.where(path.hit & path.decided & (given["light_on"] == 1), all_lanes(off <= bound))
 
 
+def _scenes(run: Context, stream: int) -> Iterator[Operands]:
+    """The rays of one scene after the other; in a short run there are fewer of both."""
+    share = min(1.0, run.operands / (_SCENES * _RAYS * 4))
+    for scene in range(max(2 * len(LIGHTS), int(_SCENES * share))):
+        yield rays_of_a_scene(run.generator(stream, scene), max(100, int(_RAYS * share)), scene)
+
+
 def _in_many_scenes(statement: Definition) -> Callable[..., Awaitable[None]]:
     """A test of the statement on the rays of all scenes together."""
 
     async def body(bench: PipelinedBench, run: Context) -> None:
         parts = []
-        for scene in range(max(12, min(run.operands, 10_000) // _RAYS)):
-            generator = run.generator(_SCENE_STREAM, scene)
-            parts.append(await bench.answers(rays_of_a_scene(generator, _RAYS)))
+        for rays in _scenes(run, _SCENE_STREAM):
+            parts.append(await bench.answers(rays))
         given, got = (concatenate(side) for side in zip(*parts, strict=True))
         definitions.check(statement, UNIT, run.parameters, given, got)
 
@@ -200,9 +206,8 @@ def _in_many_scenes(statement: Definition) -> Callable[..., Awaitable[None]]:
 
 async def whole_hits_of_many_scenes_match_the_model(bench: PipelinedBench, run: Context) -> None:
     """A scene, its rays, the next scene."""
-    for scene in range(max(12, min(run.operands, 10_000) // _RAYS)):
-        generator = run.generator(_SCENE_STREAM + 1, scene)
-        await bench.run(rays_of_a_scene(generator, _RAYS))
+    for rays in _scenes(run, _SCENE_STREAM + 1):
+        await bench.run(rays)
 
 
 _STATEMENTS = (

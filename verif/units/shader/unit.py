@@ -76,19 +76,22 @@ def _model(_: Parameters, operands: Operands) -> Operands:
 def _one_scene(_: Parameters, operands: Operands) -> Operands:
     """All rays in the scene of most of them."""
     table = np.concatenate([operands[port.name].reshape(port.lanes, -1) for port in SCENE])
-    _, first, times = np.unique(table, axis=1, return_index=True, return_counts=True)
+    first, times = np.unique(table, axis=1, return_index=True, return_counts=True)[1:]
     usual = first[np.argmax(times)]
     same = select(operands, np.full(count(operands), usual))
     return {**operands, **{port.name: same[port.name] for port in SCENE}}
 
 
-def _light(generator: Generator, center: Raw, radius: Raw) -> Raw:
-    """A light (3, 1): on the sphere at an axis, inside, close, anywhere."""
+LIGHTS = ("touching", "close", "inside", "off", "anywhere")
+"""Where a scene's light is: on the sphere, beside or in it, nowhere, anywhere."""
+
+
+def _light(generator: Generator, kind: str, center: Raw, radius: Raw) -> Raw:
+    """A light (3, 1) of one of the kinds."""
     to_coord = FMTS.coord.frac_bits - FMTS.radius.frac_bits
     reach = int(radius[0]) << to_coord
     direction = vectors.directions(generator, 1)
-    kind = generator.choice(["touching", "inside", "close", "anywhere"], p=(0.2, 0.2, 0.4, 0.2))
-    if kind == "anywhere":
+    if kind in ("anywhere", "off"):
         return generator.integers(FMTS.coord.min, FMTS.coord.max, (3, 1), endpoint=True)
     if kind == "touching":
         return FMTS.coord.saturate(center + np.eye(3, dtype=np.int64)[:, :1] * reach)
@@ -96,29 +99,36 @@ def _light(generator: Generator, center: Raw, radius: Raw) -> Raw:
     return FMTS.coord.saturate(center + (direction * reach * generator.uniform(low, high)).astype(np.int64))
 
 
-def _scene(generator: Generator) -> tuple[Operands, Raw]:
+def _scene(generator: Generator, kind: str) -> tuple[Operands, Raw]:
     """The constants of one scene, one operand, and its radius (1,)."""
     center, radius = rays.spheres(generator, 1, FMTS)
+    if kind == "touching":  # its pole must be where a light can be
+        center = center >> 2
     material = {name: coefficients(generator, 1) for name in ("k_diffuse", "k_specular", "k_transparency")}
     constants = object_setup(radius, coefficients(generator, 1), coefficients(generator, 1), FMTS)
     scene: dict[str, Raw] = {
-        **vars(constants),
         **material,
+        "radius_sq": constants.radius_sq,
+        "inv_radius": constants.inv_radius,
+        "ambient": constants.ambient,
         "center": center,
-        "light_on": np.array([generator.random() < 0.9], dtype=np.int64),
-        "light_position": _light(generator, center, radius),
+        "light_on": np.array([kind != "off"], dtype=np.int64),
+        "light_position": _light(generator, kind, center, radius),
         "light_intensity": coefficients(generator, 1),
         "background": coefficients(generator, 1),
     }
     return scene, radius
 
 
-def rays_of_a_scene(generator: Generator, size: int) -> Operands:
-    """Rays past the sphere of one scene, a tenth of them along the axis x, which hit its very pole."""
-    scene, radius = _scene(generator)
+def rays_of_a_scene(generator: Generator, size: int, number: int) -> Operands:
+    """Rays past the sphere of one scene, a fifth of them along the axis x, which hit its very pole.
+
+    The scene's number says which of `LIGHTS` it has, in turn.
+    """
+    scene, radius = _scene(generator, LIGHTS[number % len(LIGHTS)])
     center = np.broadcast_to(scene["center"], (3, size))
     origin, direction = rays.aimed(generator, center, radius, size, FMTS)
-    axial = generator.random(size) < 0.1
+    axial = generator.random(size) < 0.2
     shift = FMTS.point.frac_bits - FMTS.coord.frac_bits
     before = generator.integers(4 * FMTS.point.one, 20 * FMTS.point.one, size)
     pole = (center << shift) + np.eye(3, dtype=np.int64)[:, :1] * before
@@ -138,16 +148,20 @@ def rays_of_a_scene(generator: Generator, size: int) -> Operands:
     }
 
 
+def _directed(_: Parameters, generator: Generator, size: int) -> Operands:
+    return rays_of_a_scene(generator, size, int(generator.integers(len(LIGHTS))))
+
+
 UNIT = PipelinedUnit(
     name="shader",
     inputs=_inputs,
     outputs=_outputs,
     model=_model,
     legal=_one_scene,
-    directed=lambda _, generator, size: rays_of_a_scene(generator, size),
+    directed=_directed,
     breaks=(
         Break("shade/shader.v", "shadowed ? k_transparency : {3{ONE}}", "{3{ONE}}"),
-        Break("shade/shader.v", "shadow_degenerate || !light_on", "!light_on"),
+        Break("shade/shader.v", "shadow_degenerate || !light_on", "shadow_degenerate"),
         Break("shade/shader.v", "lit_hit ? lit : background_shade", "lit"),
     ),
 )

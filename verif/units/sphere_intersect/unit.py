@@ -1,5 +1,7 @@
 """The ray-sphere test: ports, model, rays that pass a sphere in every way."""
 
+from typing import Any
+
 from numpy.random import Generator
 
 from models.core import SphereHit, sphere_intersect
@@ -32,8 +34,8 @@ def _outputs(_: Parameters) -> tuple[Field, ...]:
 
 
 def _hit(operands: Operands) -> SphereHit:
-    names = ("origin", "direction", "center", "radius_sq", "limit")
-    return sphere_intersect(*[operands[name] for name in names], fmts=FMTS)
+    given: dict[str, Any] = {port.name: operands[port.name] for port in _inputs({})}
+    return sphere_intersect(**given, fmts=FMTS)
 
 
 def _model(p: Parameters, operands: Operands) -> Operands:

@@ -1,5 +1,7 @@
 """Hit point and normal: ports, model, hits that the ray-sphere test has found."""
 
+from typing import Any
+
 import numpy as np
 from numpy.random import Generator
 
@@ -29,8 +31,9 @@ def _outputs(_: Parameters) -> tuple[Field, ...]:
 
 
 def _model(p: Parameters, operands: Operands) -> Operands:
-    given = {**operands, "leaving": operands["leaving"] == 1}
-    return surface(*[given[port.name] for port in _inputs(p)], fmts=FMTS)._asdict()
+    given: dict[str, Any] = {port.name: operands[port.name] for port in _inputs(p)}
+    given["leaving"] = given["leaving"] == 1
+    return surface(**given, fmts=FMTS)._asdict()
 
 
 def _directed(_: Parameters, generator: Generator, size: int) -> Operands:
