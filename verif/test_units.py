@@ -58,15 +58,22 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
         metafunc.parametrize("case", _cases(metafunc.config), ids=str)
 
 
+def _missing(simulator: Simulator) -> str:
+    """What keeps a simulator from running, as a sentence; empty where nothing does."""
+    try:
+        version(simulator)
+    except MissingTool as missing:
+        return str(missing)
+    return ""
+
+
 def test_unit(case: Case, pytestconfig: pytest.Config) -> None:
     """The bench passes. A simulator that is not there skips, unless it was asked for."""
     option = pytestconfig.option
-    try:
-        version(case.simulator)
-    except MissingTool as missing:
+    if missing := _missing(case.simulator):
         if option.sim is not None or case.simulator is Simulator.VERILATOR:
-            pytest.fail(str(missing), pytrace=False)
-        pytest.skip(str(missing))
+            pytest.fail(missing, pytrace=False)
+        pytest.skip(missing)
     outcome = units.simulate(
         case.unit,
         case.simulator,

@@ -439,7 +439,9 @@ async def flipped_bits_give_the_picture_they_describe_or_the_right_fault(dut: An
     """Any frame, any bits flipped, cut or continued, in any size: never a hang; the next frame is exact."""
     setting = Setting.of(dut)
     anywhere, counts = st.integers(0, 32 * 24), st.integers(9 * 19, 9 * 19 + 7)
-    bits = st.just([]) | st.lists(anywhere, max_size=4) | st.lists(counts, max_size=2)
+    bits: st.SearchStrategy[list[int]] = (
+        st.just([]) | st.lists(anywhere, max_size=4) | st.lists(counts, max_size=2)
+    )
     scenes = st.one_of(drawable_scenes(), crowded_scenes(), camera_faults())
     no_side = st.sampled_from(("", "", "", "width", "height"))
     seen: Counter[str] = Counter()

@@ -33,9 +33,15 @@ class _Progress:
             fresh.replace(self._path)
 
 
-def _leave(directory: Path, picture: Picture, seconds: float, probe: int | None) -> None:
+def _leave(directory: Path, picture: Picture, seconds: float, cpu_seconds: float, probe: int | None) -> None:
     np.savez(directory / PIXELS, rgb=picture.rgb, hit=picture.hit)
-    status = {"cycles": picture.cycles, "seconds": seconds, "fault": int(picture.fault), "probe": probe}
+    status = {
+        "cycles": picture.cycles,
+        "seconds": seconds,
+        "cpu_seconds": cpu_seconds,
+        "fault": int(picture.fault),
+        "probe": probe,
+    }
     (directory / STATUS).write_text(json.dumps(status))
 
 
@@ -50,9 +56,9 @@ async def draw(dut: Any) -> None:
     await core.reset(registers)
     if pixel is not None:
         await core.probe(*pixel)
-    start = time.perf_counter()
+    start, cpu_start = time.perf_counter(), time.process_time()
     picture = await core.draw(words, _Progress(run.directory / PROGRESS), until_probed=pixel is not None)
-    seconds = time.perf_counter() - start
-    _leave(run.directory, picture, seconds, core.probed())
+    seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu_start
+    _leave(run.directory, picture, seconds, cpu_seconds, core.probed())
     if pixel is None and not picture.fault:
         assert len(picture.rgb) == registers.width * registers.height, "not one pixel for each of the picture"

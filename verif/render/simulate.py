@@ -30,12 +30,13 @@ class SimulationError(RuntimeError):
 
 @dataclass(frozen=True)
 class Drawn:
-    """The RTL's picture: rgb (h, w, 3), hit (h, w); clocks, wall-clock seconds, fault, probe value."""
+    """The RTL's picture: rgb (h, w, 3), hit (h, w); clocks, seconds (wall clock and CPU), fault, probe value."""
 
     rgb: NDArray[np.uint8]
     hit: NDArray[np.int16]
     cycles: int
     seconds: float
+    cpu_seconds: float
     fault: Fault
     probe: int | None
 
@@ -133,6 +134,7 @@ def _read(directory: Path, registers: Registers) -> Drawn:
         hit.reshape(shape),
         status["cycles"],
         status["seconds"],
+        status["cpu_seconds"],
         Fault(status["fault"]),
         status["probe"],
     )
