@@ -60,6 +60,7 @@ module resize #(
             end
         end else if (OUT_SIGNED != 0) begin : g_signed
             if (MID_W == OUT_W) begin : g_same
+                wire unused_negative = negative;
                 assign out = mid;
             end else begin : g_extend
                 assign out = {{OUT_W - MID_W{negative}}, mid};
