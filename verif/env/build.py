@@ -8,6 +8,7 @@ import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 
 from cocotb_tools import runner
@@ -79,14 +80,14 @@ class Build:
         copy.write_text(self.replacements[path])
         return copy
 
-    @property
+    @cached_property
     def key(self) -> str:
         """Digest of everything that the result depends on."""
         digest = hashlib.sha256()
         settings = [self.top, version(self.simulator), self.waves, self.optimise]
         settings += [self.harness, self.control, self.timing]
         settings += [sorted(self.parameters.items()), sorted(self.defines.items())]
-        settings += [_VERILATOR, _ICARUS, str(sources.ROOT)]
+        settings += [_VERILATOR, _TIMING, _ICARUS, str(sources.ROOT)]
         digest.update(json.dumps(settings).encode())
         for path in (*self.files, *sources.headers()):
             digest.update(self.replacements.get(path, path.read_text()).encode())

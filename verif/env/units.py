@@ -21,7 +21,7 @@ OPERANDS = {Simulator.VERILATOR: 100_000, Simulator.ICARUS: 4_000}
 EXHAUSTIVE_SET_OPERANDS = 10_000
 """Where every operand is tried anyhow, random ones only vary their order."""
 
-EXAMPLES = 100
+EXAMPLES = 50
 
 
 @dataclass(frozen=True)
