@@ -30,7 +30,7 @@ class SimulationError(RuntimeError):
 
 @dataclass(frozen=True)
 class Drawn:
-    """The RTL's picture: rgb (h, w, 3), hit (h, w); clocks, seconds (wall clock and CPU), fault, probe value."""
+    """The RTL's picture: rgb (h, w, 3), hit (h, w); clocks, seconds (wall clock and CPU), fault, probe."""
 
     rgb: NDArray[np.uint8]
     hit: NDArray[np.int16]
