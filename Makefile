@@ -7,8 +7,8 @@ PYTHON ?= python3
 VENV   := .venv
 READY  := $(VENV)/ready
 BIN    := $(VENV)/bin
-# No folder is written but this one, and in it no caches beside the sources.
-export PYTHONDONTWRITEBYTECODE := 1
+# Nothing is written outside this folder, and no cache beside the sources.
+export PYTHONPYCACHEPREFIX := $(CURDIR)/build/pycache
 export HYPOTHESIS_STORAGE_DIRECTORY := $(CURDIR)/build/hypothesis
 unexport WAVES SIM SEED UNIT
 
@@ -44,7 +44,7 @@ test: lint ## runs every test
 	@$(BIN)/python -m pytest -n $(JOBS)
 
 unit: $(READY) ## runs one unit's bench: UNIT=sqrt [SIM=icarus] [SET=narrow] [SEED=n] [WAVES=1] [EXAMPLES=n] [OPERANDS=n]
-	@test -n "$(UNIT)" || { echo "UNIT is missing; one of: $(UNITS)" >&2; exit 2; }
+	@test -n "$(filter $(UNITS),$(UNIT))" || { echo "UNIT=$(UNIT) is no unit; one of: $(UNITS)" >&2; exit 2; }
 	@$(BIN)/python -m pytest verif/test_units.py --unit '$(UNIT)' $(call option,--sim,SIM) $(call option,--seed,SEED) \
 		$(call option,--set,SET) $(call option,--examples,EXAMPLES) $(call option,--operands,OPERANDS) $(if $(WAVES),--waves)
 

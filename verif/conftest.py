@@ -5,6 +5,7 @@ import time
 import pytest
 
 from verif.env import units
+from verif.env.build import CACHE
 from verif.env.simulators import Simulator
 
 _CI_SEED = 1
@@ -26,6 +27,13 @@ def pytest_configure(config: pytest.Config) -> None:
     """Chooses the seed, once for all workers: they get the options of the process that starts them."""
     if config.option.seed is None:
         config.option.seed = _CI_SEED if units.in_ci() else int(time.time())
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter, config: pytest.Config) -> None:
+    """Where the waves are, if any were asked for."""
+    if config.option.waves:
+        for path in sorted((CACHE / "runs").glob(f"{config.option.unit or '*'}-*/dump.*")):
+            terminalreporter.write_line(f"waves: {path}")
 
 
 def pytest_report_header(config: pytest.Config) -> str:

@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from models.core import Registers, Rendering, render
+from models.core import registers as as_registers
 from models.formats import BUILDS, Formats, formats
 from models.limits import Fault
 from models.scene import toml
@@ -94,8 +95,7 @@ class Setting:
         """A picture of the project's first scene, on a core just reset."""
         file = load(_SCENE)
         view = file.view_for(width, height)
-        step = self.fmts.tan.one
-        size = Registers(width, height, round(view.tan_h * step), round(view.tan_v * step))
+        size = as_registers(view, self.fmts)
         await self.core.reset(size)
         return Shot(file.scene, size, view)
 
@@ -137,8 +137,7 @@ class Setting:
     def _told(self, text: str, path: Path, size: Registers) -> bool:
         """Whether the file, read again, leads to the same registers."""
         view = toml.parse(text, path).view_for(size.width, size.height)
-        step = self.fmts.tan.one
-        return Registers(size.width, size.height, round(view.tan_h * step), round(view.tan_v * step)) == size
+        return as_registers(view, self.fmts) == size
 
 
 def differences(wanted: Rendering, rgb: NDArray[np.uint8], hit: NDArray[np.int16]) -> tuple[int, str] | None:
@@ -234,6 +233,20 @@ async def a_light_at_the_hit_point_is_left_out_and_counted(dut: Any) -> None:
     setting.same_picture(shot, got)
     same("colours", [[127, 63, 255]] * 6, got.rgb.tolist())
     same("lights left out", 6, setting.core.lights_at_point)
+
+
+@cocotb.test()
+async def what_a_frame_lacks_is_not_taken_from_the_frames_before_it(dut: Any) -> None:
+    """A frame without light, then one without sphere, behind frames that filled both banks of the memory."""
+    setting = Setting.of(dut)
+    full = await setting.example(4, 3)
+    dark = replace(full, scene=replace(full.scene, lights=()))
+    empty = replace(full, scene=replace(full.scene, spheres=()))
+    pictures = [
+        setting.same_picture(shot, await setting.draw(shot)).rgb for shot in (full, full, dark, empty, full)
+    ]
+    _, lit, unlit, nothing, _ = pictures
+    assert (lit != unlit).any() and (unlit != nothing).any(), "the frames look alike: that shows nothing"
 
 
 @cocotb.test()

@@ -21,7 +21,7 @@ from verif.env.unit import ArithmeticUnit, PipelinedUnit
 
 _CHUNK = 20_000
 _RATE_STREAM, _DEFINITION_STREAM = 1 << 16, 1 << 17
-_DEFINITION_SHARE = 4
+_DEFINITION_SHARE = 20
 """Each of a unit's definitions gets this part of a fast stream: a unit has several, and Icarus is slow."""
 _GAPS = st.lists(st.integers(0, 3), max_size=8)
 
