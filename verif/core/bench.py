@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 
 import cocotb
 import numpy as np
-from cocotb.triggers import with_timeout
+from cocotb.triggers import SimTimeoutError, with_timeout
 from cocotb.utils import get_sim_time
 from hypothesis import strategies as st
 from numpy.typing import NDArray
@@ -50,7 +50,7 @@ _FULL_SLOTS = 256
 
 @dataclass(frozen=True)
 class Setting:
-    """What the run is about, and the running core."""
+    """What the run is about, and the running core; kept: where a test leaves a scene that is drawn wrong."""
 
     run: context.Context
     core: CoreDriver
@@ -58,6 +58,7 @@ class Setting:
     simulator: str
     most_pixels: int
     rate_size: int
+    kept: Path
 
     @classmethod
     def of(cls, dut: Any) -> "Setting":
@@ -71,6 +72,7 @@ class Setting:
             extra["simulator"],
             extra["most_pixels"],
             extra["rate_size"],
+            run.directory / f"scene-{1 + len(list(run.directory.glob('scene-*.toml')))}.toml",
         )
 
     @property
@@ -101,13 +103,16 @@ class Setting:
 
     async def draw(self, shot: Shot) -> Picture:
         """The core's picture; a hang fails."""
-        drawing = self.core.draw(pack(shot.scene).words)
-        return await soon(drawing, shot.registers)
+        try:
+            return await soon(self.core.draw(pack(shot.scene).words), shot.registers)
+        except SimTimeoutError:
+            raise Mismatch(f"the picture does not end\n{self._keep(shot, 0)}") from None
 
     def same_picture(self, shot: Shot, got: Picture) -> Rendering:
         """The model's picture, where the core's is the same in every pixel and hit, else Mismatch."""
-        same("fault", Fault.NONE.name, got.fault.name)
         wanted = self.expected(shot)
+        if got.fault:
+            raise Mismatch(f"refused with {got.fault.name}\n{self._keep(shot, 0)}")
         if (text := differences(wanted, got.rgb, got.hit)) is not None:
             raise Mismatch(f"{text[1]}\n{self._keep(shot, text[0])}")
         return wanted
@@ -120,7 +125,7 @@ class Setting:
 
     def _keep(self, shot: Shot, pixel: int) -> str:
         """Leaves the scene in the run's folder; how to draw it again."""
-        path = self.run.directory / "scene.toml"
+        path = self.kept
         try:
             text = to_toml(shot.scene, shot.view, title="A scene that the core draws wrong")
         except ValueError:

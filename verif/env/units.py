@@ -15,10 +15,13 @@ from verif.env.unit import Parameters, PipelinedUnit, StreamUnit, Unit
 
 UNITS = sources.VERIF / "units"
 
-OPERANDS = {Simulator.VERILATOR: 100_000, Simulator.ICARUS: 4_000}
+OPERANDS = {Simulator.VERILATOR: 100_000, Simulator.ICARUS: 3_000}
 """Operands of a fast stream. Icarus takes 3,000 to 5,000 clocks/s on large units."""
 
-EXHAUSTIVE_SET_OPERANDS = 10_000
+OTHER_SET_OPERANDS = 20_000
+"""In parameter sets beside the default one: same rules, other widths."""
+
+EXHAUSTIVE_SET_OPERANDS = 5_000
 """Where every operand is tried anyhow, random ones only vary their order."""
 
 EXAMPLES = 50
@@ -35,8 +38,10 @@ class Effort:
         """Length of the fast stream of one run."""
         if self.operands is not None:
             return self.operands
-        usual = OPERANDS[simulator]
-        return min(usual, EXHAUSTIVE_SET_OPERANDS) if parameter_set == unit.exhaustive else usual
+        if parameter_set == "default":
+            return OPERANDS[simulator]
+        most = EXHAUSTIVE_SET_OPERANDS if parameter_set == unit.exhaustive else OTHER_SET_OPERANDS
+        return min(OPERANDS[simulator], most)
 
 
 @cache

@@ -44,7 +44,8 @@ def _say(text: str) -> None:
 
 
 def _simulate(job: Job, pixel: tuple[int, int] | None) -> Drawn:
-    name = f"render-{job.name}-{job.build}-{job.simulator}"
+    size = f"{job.view.width}x{job.view.height}"
+    name = f"render-{job.name}-{size}-{job.build}-{job.simulator}"
     with tempfile.TemporaryDirectory() as scratch:
         build = core_build(job.build, job.simulator)
         frame = pack(job.file.scene)

@@ -7,14 +7,18 @@ from typing import Any
 
 import cocotb
 import numpy as np
+from cocotb.triggers import with_timeout
 
 from models.core import Registers
 from models.scene.frame import Frame
 from verif.core.driver import CoreDriver, Picture
 from verif.env import context
+from verif.env.clocking import PERIOD_NS
 
 PIXELS, STATUS, PROGRESS = "pixels.npz", "status.json", "progress"
 _PROGRESS_SECONDS = 0.2
+_SETUP_CLOCKS, _CLOCKS_PER_PIXEL = 10_000, 4
+"""After so many clocks the core hangs: it draws a pixel a clock."""
 
 
 class _Progress:
@@ -57,7 +61,9 @@ async def draw(dut: Any) -> None:
     if pixel is not None:
         await core.probe(*pixel)
     start, cpu_start = time.perf_counter(), time.process_time()
-    picture = await core.draw(words, _Progress(run.directory / PROGRESS), until_probed=pixel is not None)
+    clocks = _SETUP_CLOCKS + _CLOCKS_PER_PIXEL * registers.width * registers.height
+    drawing = core.draw(words, _Progress(run.directory / PROGRESS), until_probed=pixel is not None)
+    picture = await with_timeout(drawing, clocks * PERIOD_NS, "ns")
     seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu_start
     _leave(run.directory, picture, seconds, cpu_seconds, core.probed())
     if pixel is None and not picture.fault:
