@@ -10,6 +10,7 @@ list, so that it shrinks and repeats. This module is the only one that touches c
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections import deque
 from collections.abc import Callable, Coroutine, Iterable, Sequence
 from dataclasses import dataclass, make_dataclass
@@ -132,7 +133,7 @@ def _unpacked(field: Field, word: int) -> int | tuple[int, ...]:
     return numbers if field.lanes > 1 else numbers[0]
 
 
-class _Agent:
+class _Agent(ABC):
     """Something that runs beside the test: `start`, `stop`, and `clear` when the design is reset."""
 
     def __init__(self, stream: Stream, bus: Any, clocking: Clocking) -> None:
@@ -161,12 +162,15 @@ class _Agent:
         if working:
             self.start()
 
+    @abstractmethod
     def _run(self) -> Coroutine[Any, Any, None]:
-        raise NotImplementedError
+        """What it does, clock by clock, until it is stopped."""
 
+    @abstractmethod
     def _release(self) -> None:
         """Lowers what it drives."""
 
+    @abstractmethod
     def _forget(self) -> None:
         """Empties what it holds."""
 
@@ -249,6 +253,9 @@ class StreamSink(_Agent):
     def _release(self) -> None:
         self._bus.ready.value = 0
 
+    def _forget(self) -> None:
+        """Nothing: a sink holds no transactions."""
+
     async def _run(self) -> None:
         edge, valid, ready = self._clocking.edge, self._bus.valid, self._bus.ready
         if not any(self._stalls):
@@ -294,6 +301,9 @@ class StreamMonitor(_Agent):
         self.breaches: list[str] = []
         self.transfers = Transfers.none()
         self.clock = 0
+
+    def _release(self) -> None:
+        """Nothing: a monitor drives no signal."""
 
     def _forget(self) -> None:
         self.breaches.clear()
