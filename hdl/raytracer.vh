@@ -131,4 +131,10 @@
 `define RT_RECORD_SLOTS 26
 `define RT_SPHERE_SLOTS 21
 
+// Rows of the tables of the objects, see scene/object_setup.v.
+`define RT_INDEX_W 4
+`define RT_GEOMETRY_W (3 + 3 * `RT_UNIT_W + 9 * `RT_COORD_W + 3 * `RT_COEFF_W)
+`define RT_SURFACE_W (1 + `RT_INDEX_W + 3 * `RT_UNIT_W + 3 * `RT_COORD_W)
+`define RT_MATERIAL_W (3 * `RT_SHADE_W + 12 * `RT_COEFF_W)
+
 `endif

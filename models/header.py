@@ -11,6 +11,7 @@ from pathlib import Path
 
 from models import limits
 from models.formats import TABLE, Knobs, Row
+from models.scene.types import INDEX
 
 HEADER = Path(__file__).parents[1] / "hdl" / "raytracer.vh"
 
@@ -49,6 +50,22 @@ def _distance(name: str, value: Fraction) -> str:
     return f"`define RT_{name} ({value.numerator} << (`RT_POINT_FRAC - {shift}))"
 
 
+_ROWS = {
+    "GEOMETRY": "3 + 3 * `RT_UNIT_W + 9 * `RT_COORD_W + 3 * `RT_COEFF_W",
+    "SURFACE": "1 + `RT_INDEX_W + 3 * `RT_UNIT_W + 3 * `RT_COORD_W",
+    "MATERIAL": "3 * `RT_SHADE_W + 12 * `RT_COEFF_W",
+}
+"""Widths of an object's rows in the tables of the objects; see hdl/scene/object_setup.v for their fields."""
+
+
+def _rows() -> list[str]:
+    lines = [
+        "// Rows of the tables of the objects, see scene/object_setup.v.",
+        f"`define RT_INDEX_W {INDEX.width}",
+    ]
+    return lines + [f"`define RT_{name}_W ({width})" for name, width in _ROWS.items()]
+
+
 def text() -> str:
     """The whole header."""
     knobs = Knobs()
@@ -67,7 +84,7 @@ def text() -> str:
     lines += [f"`define RT_FAULT_W {bits}", "", "// Records of a frame, see scene/loader.v."]
     lines += [f"`define RT_RECORD_{kind.name} {kind.value}" for kind in limits.Record]
     lines += [f"`define RT_RECORD_SLOTS {limits.RECORD_SLOTS}"]
-    lines += [f"`define RT_SPHERE_SLOTS {limits.SPHERE_SLOTS}", "", "`endif", ""]
+    lines += [f"`define RT_SPHERE_SLOTS {limits.SPHERE_SLOTS}", "", *_rows(), "", "`endif", ""]
     return "\n".join(lines)
 
 

@@ -9,7 +9,14 @@ from models.core.phong import highlight, phong
 from models.core.pixel import rgb888
 from models.core.rays import ray_generator
 from models.core.render import Rendering, registers, render, trace_pixel
-from models.core.setup import ObjectConstants, object_setup
+from models.core.setup import (
+    ObjectConstants,
+    TriangleConstants,
+    TriangleNormals,
+    object_setup,
+    triangle_normals,
+    triangle_setup,
+)
 from models.core.shader import light_vector, reflect, shader, surface
 from models.core.sphere import SphereHit, sphere_intersect
 from models.core.unit_vector import unit_vector
@@ -21,6 +28,8 @@ __all__ = [
     "Registers",
     "Rendering",
     "SphereHit",
+    "TriangleConstants",
+    "TriangleNormals",
     "camera",
     "highlight",
     "light_vector",
@@ -35,5 +44,7 @@ __all__ = [
     "sphere_intersect",
     "surface",
     "trace_pixel",
+    "triangle_normals",
+    "triangle_setup",
     "unit_vector",
 ]
