@@ -9,7 +9,8 @@ ROOT = Path(__file__).parents[2]
 HDL = ROOT / "hdl"
 VERIF = ROOT / "verif"
 
-_COMMENT = re.compile(r"//.*?$|/\*.*?\*/", re.MULTILINE | re.DOTALL)
+# A directive's file name is no module's: `include "raytracer.vh"` does not use the core.
+_COMMENT = re.compile(r"//.*?$|/\*.*?\*/|^`include.*?$", re.MULTILINE | re.DOTALL)
 _WORD = re.compile(r"[A-Za-z_]\w*")
 
 
