@@ -1,0 +1,1 @@
+"""Bench of the queue between two streams."""
