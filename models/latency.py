@@ -89,11 +89,10 @@ _COLOUR_ADD = 1
 _PHONG = _DOT + _HIGHLIGHT + _PRODUCT + _COLOUR_ADD + _PRODUCT + _RESULT_REGISTER
 
 
-def _shader(_: Parameters) -> int:
-    background = 1
-    hit = _SURFACE + _REFLECT
-    light = _light_vector({}) + _sphere_intersect({}) + _PHONG
-    return hit + light + _COLOUR_ADD + background + _PRODUCT
+def _refract(_: Parameters) -> int:
+    sine = radicand = gain = total = 1
+    root = _sqrt({"D_W": 2 * formats(Knobs()).gain.frac_bits + 2})
+    return _MUL + sine + _MUL + radicand + root + gain + _MUL + total + _RESULT_REGISTER
 
 
 LATENCY: dict[str, Callable[[Parameters], int]] = {
@@ -117,9 +116,9 @@ LATENCY: dict[str, Callable[[Parameters], int]] = {
     "object_setup": _object_setup,
     "phong": _constant(_PHONG),
     "reflect": _constant(_REFLECT),
+    "refract": _refract,
     "resize": _constant(0),
     "rgb888": _constant(1),
-    "shader": _shader,
     "sphere_intersect": _sphere_intersect,
     "sqrt": _sqrt,
     "sqrt_iter": lambda parameters: parameters.get("D_W", 40) // 2,

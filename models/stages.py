@@ -14,16 +14,18 @@ from models.fixed import Format
 from models.formats import BUILDS, TABLE, Formats, formats
 from models.latency import LATENCY
 from models.limits import MEANING
+from models.registers import REGISTERS, Build, Register
 
 PAGE = Path(__file__).parents[1] / "hdl" / "README.md"
 
 _PIECE = 17
-_SHORT = 3
+_SHORT = 5
+"""``PIECE_W`` of ``hdl/arith/mul.v`` and ``SHORT_W`` of ``hdl/arith/mul_piece.v``; a test holds them equal."""
 
 
 def multipliers(a: Format, b: Format, count: int = 1) -> int:
     """18 x 18 multipliers of ``count`` products, cut as ``hdl/arith/mul.v`` cuts them: pieces of 17 bits, a
-    signed rest of up to 18; a piece of up to 3 bits is made of adders."""
+    signed rest of up to 18; a piece of up to 5 bits is made of adders."""
 
     def large_pieces(fmt: Format) -> int:
         width = fmt.width + (0 if fmt.signed else 1)
@@ -124,7 +126,30 @@ def _fault_table() -> Iterator[str]:
         yield f"| {fault.value} | `RT_FAULT_{fault.name}`: {meaning} |"
 
 
-_TABLES = {"stages": _stage_table, "formats": _format_table, "faults": _fault_table}
+def _register_rows(register: Register, build: Build) -> Iterator[str]:
+    first = f"0x{register.address:02x} | `{register.name}`"
+    for field in register.fields:
+        bits = str(field.high) if field.width == 1 else f"{field.high}:{field.low}"
+        reset = str(build.number(field.reset))
+        if isinstance(field.reset, str):
+            reset = f"{reset}: `{field.reset.upper()}`"
+        yield f"| {first} | {bits} | {field.name} | {field.access.value} | {reset} | {field.meaning} |"
+        first = "|"
+
+
+def _register_table() -> Iterator[str]:
+    yield "| address | register | bits | field | access | reset | meaning |"
+    yield "| --- | --- | --- | --- | --- | --- | --- |"
+    for register in REGISTERS.values():
+        yield from _register_rows(register, Build())
+
+
+_TABLES = {
+    "stages": _stage_table,
+    "formats": _format_table,
+    "registers": _register_table,
+    "faults": _fault_table,
+}
 
 
 def refreshed(page: str) -> str:

@@ -4,9 +4,9 @@
 //
 // Each product is built of pieces that fit one signed 18 x 18 multiplier of an FPGA: an operand
 // wider than 18 bits is cut into unsigned pieces of 17 bits and a signed rest on top. A piece of
-// 2 or 3 bits takes no multiplier but an adder or two, so a product of 19 x 19 bits costs one
-// multiplier, 18 x 25 two, 25 x 25 four. Squares (a = b) share their mixed pieces once the design
-// is flattened.
+// at most 5 bits takes no multiplier but an adder a bit, so a signed product of up to 22 x 22 bits
+// costs one multiplier, 18 x 25 two, 25 x 25 four. Squares (a = b) share their mixed pieces once
+// the design is flattened.
 //
 // Parameters
 //   A_W, B_W  bits of an operand, at most 52 signed, 51 unsigned

@@ -4,8 +4,8 @@
 //
 // A piece is PIECE_W unsigned bits of the operand from bit LOW on, or the signed rest of it where
 // no more than PIECE_W + 1 bits are left. The product of two pieces is one signed multiplication
-// of at most PIECE_W + 1 bits; where a piece has 2 or 3 bits it is a sum of shifted copies of the
-// other, which spares a multiplier of the FPGA.
+// of at most PIECE_W + 1 bits; where a piece has at most 5 bits it is a sum of shifted copies of
+// the other, which spares a multiplier of the FPGA.
 //
 // Parameters
 //   A_W, B_W      bits of the whole signed operands
@@ -36,7 +36,7 @@ module mul_piece #(
     // Signed widths: the pieces below the last one get a zero on top.
     localparam AS_W = A_LAST != 0 ? A_W - A_LOW : PIECE_W + 1;
     localparam BS_W = B_LAST != 0 ? B_W - B_LOW : PIECE_W + 1;
-    localparam SHORT_W = 3;
+    localparam SHORT_W = 5;
 
     wire signed [AS_W-1:0] a_piece;
     wire signed [BS_W-1:0] b_piece;

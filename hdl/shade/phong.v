@@ -2,13 +2,16 @@
 //
 // phong: what one light adds to the colour of a hit point (book 8.2.3, equation 1).
 //
-//     attenuation * intensity * (k_diffuse max(0, N.L) + k_specular max(0, R.L)^16)   where N.L > 0
+//     intensity * (k_diffuse max(0, N.L) + k_specular max(0, R.L)^16)   where N.L > 0
 //
 // Ports
 //   normal, mirrored, direction    N, R, L, {x, y, z}, RT_UNIT
 //   dark                           the light adds nothing (it is at the hit point)
-//   k_diffuse, k_specular, intensity, attenuation   {r, g, b}, RT_COEFF
+//   k_diffuse, k_specular          of the surface, {r, g, b}, RT_COEFF
+//   intensity                      of the light, {r, g, b}, RT_COEFF
 //   colour                         {r, g, b}, RT_SHADE; each product floored, all saturated
+//
+// The colour is that of a light which nothing stops: what its shadow ray meets is multiplied later.
 //
 // Latency 5 (cosines) + 16 (power) + 4 (coefficients) + 1 (sum) + 4 (light) + 1 = 31; rate one
 // light a clock.
@@ -30,7 +33,6 @@ module phong #(
     input  wire [3*`RT_COEFF_W-1:0] k_diffuse,
     input  wire [3*`RT_COEFF_W-1:0] k_specular,
     input  wire [3*`RT_COEFF_W-1:0] intensity,
-    input  wire [3*`RT_COEFF_W-1:0] attenuation,
     output wire                      out_valid,
     output wire [         TAG_W-1:0] out_tag,
     output wire [3*`RT_SHADE_W-1:0] colour
@@ -49,7 +51,6 @@ module phong #(
     wire [RGB_W-1:0] cosine_diffuse;
     wire [RGB_W-1:0] cosine_specular;
     wire [RGB_W-1:0] cosine_intensity;
-    wire [RGB_W-1:0] cosine_attenuation;
 
     dot #(
         .A_INT   (`RT_UNIT_INT),
@@ -58,17 +59,17 @@ module phong #(
         .B_FRAC  (`RT_UNIT_FRAC),
         .OUT_INT (`RT_UNIT_INT),
         .OUT_FRAC(`RT_UNIT_FRAC),
-        .TAG_W   (1 + 4*RGB_W + TAG_W)
+        .TAG_W   (1 + 3*RGB_W + TAG_W)
     ) u_diffuse_cosine (
         .clk      (clk),
         .rst      (rst),
         .in_valid (in_valid),
-        .in_tag   ({dark, k_diffuse, k_specular, intensity, attenuation, in_tag}),
+        .in_tag   ({dark, k_diffuse, k_specular, intensity, in_tag}),
         .a        (normal),
         .b        (direction),
         .out_valid(cosine_valid[1]),
         .out_tag  ({cosine_dark, cosine_diffuse, cosine_specular, cosine_intensity,
-                    cosine_attenuation, cosine_tag}),
+                    cosine_tag}),
         .p        (cosine[UNIT_W+:UNIT_W])
     );
 
@@ -123,32 +124,29 @@ module phong #(
     wire [RGB_W-1:0] power_diffuse;
     wire [RGB_W-1:0] power_specular;
     wire [RGB_W-1:0] power_intensity;
-    wire [RGB_W-1:0] power_attenuation;
     wire [COSINE_W-1:0] power;
 
     highlight #(
-        .TAG_W(1 + COSINE_W + 4*RGB_W + TAG_W)
+        .TAG_W(1 + COSINE_W + 3*RGB_W + TAG_W)
     ) u_highlight (
         .clk      (clk),
         .rst      (rst),
         .in_valid (cosine_valid[1]),
         .in_tag   ({cosine_lit, clamped[COSINE_W+:COSINE_W], cosine_diffuse, cosine_specular,
-                    cosine_intensity, cosine_attenuation, cosine_tag}),
+                    cosine_intensity, cosine_tag}),
         .cosine   (clamped[0+:COSINE_W]),
         .out_valid(power_valid),
         .out_tag  ({power_lit, power_cosine, power_diffuse, power_specular, power_intensity,
-                    power_attenuation, power_tag}),
+                    power_tag}),
         .power    (power)
     );
 
-    // Coefficient times cosine, diffuse in the upper three lanes; light that arrives beside it
+    // Coefficient times cosine, diffuse in the upper three lanes
     wire part_valid;
     wire [TAG_W-1:0] part_tag;
     wire part_lit;
+    wire [RGB_W-1:0] part_intensity;
     wire [6*SHADE_W-1:0] part;
-    wire [3*SHADE_W-1:0] arriving;
-    wire unused_arriving_valid;
-    wire unused_arriving_tag;
 
     vec_mul #(
         .A_INT   (`RT_COEFF_INT),
@@ -159,61 +157,41 @@ module phong #(
         .OUT_FRAC(`RT_SHADE_FRAC),
         .LANES   (6),
         .SIGNED  (0),
-        .TAG_W   (1 + TAG_W)
+        .TAG_W   (1 + RGB_W + TAG_W)
     ) u_part (
         .clk      (clk),
         .rst      (rst),
         .in_valid (power_valid),
-        .in_tag   ({power_lit, power_tag}),
+        .in_tag   ({power_lit, power_intensity, power_tag}),
         .a        ({power_diffuse, power_specular}),
         .b        ({{3{power_cosine}}, {3{power}}}),
         .out_valid(part_valid),
-        .out_tag  ({part_lit, part_tag}),
+        .out_tag  ({part_lit, part_intensity, part_tag}),
         .p        (part)
-    );
-
-    vec_mul #(
-        .A_INT   (`RT_COEFF_INT),
-        .A_FRAC  (`RT_COEFF_FRAC),
-        .B_INT   (`RT_COEFF_INT),
-        .B_FRAC  (`RT_COEFF_FRAC),
-        .OUT_INT (`RT_SHADE_INT),
-        .OUT_FRAC(`RT_SHADE_FRAC),
-        .SIGNED  (0)
-    ) u_arriving (
-        .clk      (clk),
-        .rst      (rst),
-        .in_valid (power_valid),
-        .in_tag   (1'b0),
-        .a        (power_intensity),
-        .b        (power_attenuation),
-        .out_valid(unused_arriving_valid),
-        .out_tag  (unused_arriving_tag),
-        .p        (arriving)
     );
 
     // Sum of both parts
     wire sum_valid;
     wire [TAG_W-1:0] sum_tag;
     wire sum_lit;
-    wire [3*SHADE_W-1:0] sum_arriving;
+    wire [RGB_W-1:0] sum_intensity;
     wire [3*SHADE_W-1:0] sum;
 
     colour_add #(
-        .TAG_W(1 + 3*SHADE_W + TAG_W)
+        .TAG_W(1 + RGB_W + TAG_W)
     ) u_sum (
         .clk      (clk),
         .rst      (rst),
         .in_valid (part_valid),
-        .in_tag   ({part_lit, arriving, part_tag}),
+        .in_tag   ({part_lit, part_intensity, part_tag}),
         .a        (part[3*SHADE_W+:3*SHADE_W]),
         .b        (part[0+:3*SHADE_W]),
         .out_valid(sum_valid),
-        .out_tag  ({sum_lit, sum_arriving, sum_tag}),
+        .out_tag  ({sum_lit, sum_intensity, sum_tag}),
         .sum      (sum)
     );
 
-    // times the light that arrives
+    // times the intensity
     wire product_valid;
     wire [TAG_W-1:0] product_tag;
     wire product_lit;
@@ -223,8 +201,8 @@ module phong #(
     vec_mul #(
         .A_INT   (`RT_SHADE_INT),
         .A_FRAC  (`RT_SHADE_FRAC),
-        .B_INT   (`RT_SHADE_INT),
-        .B_FRAC  (`RT_SHADE_FRAC),
+        .B_INT   (`RT_COEFF_INT),
+        .B_FRAC  (`RT_COEFF_FRAC),
         .OUT_INT (`RT_SHADE_INT),
         .OUT_FRAC(`RT_SHADE_FRAC),
         .SIGNED  (0),
@@ -235,7 +213,7 @@ module phong #(
         .in_valid (sum_valid),
         .in_tag   ({sum_lit, sum_tag}),
         .a        (sum),
-        .b        (sum_arriving),
+        .b        (sum_intensity),
         .out_valid(product_valid),
         .out_tag  ({product_lit, product_tag}),
         .p        (product)

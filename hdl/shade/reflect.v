@@ -6,6 +6,7 @@
 //   direction  V, {x, y, z}, RT_UNIT
 //   normal     N, {x, y, z}, RT_UNIT
 //   mirrored   R, {x, y, z}, RT_UNIT, each component floored and saturated
+//   cosine     N.V, RT_UNIT, floored and saturated, beside its R: what refraction goes on from
 //
 // Latency 5 (N.V) + 4 (times N) + 1 (difference) = 10, rate one direction a clock.
 
@@ -23,7 +24,8 @@ module reflect #(
     input  wire [3*`RT_UNIT_W-1:0] normal,
     output wire                     out_valid,
     output wire [        TAG_W-1:0] out_tag,
-    output wire [3*`RT_UNIT_W-1:0] mirrored
+    output wire [3*`RT_UNIT_W-1:0] mirrored,
+    output wire [  `RT_UNIT_W-1:0] cosine
 );
 
     localparam W = `RT_UNIT_W;
@@ -32,7 +34,7 @@ module reflect #(
     wire [TAG_W-1:0] cosine_tag;
     wire [3*W-1:0] cosine_direction;
     wire [3*W-1:0] cosine_normal;
-    wire [W-1:0] cosine;
+    wire [W-1:0] cosine_value;
 
     dot #(
         .A_INT   (`RT_UNIT_INT),
@@ -51,12 +53,13 @@ module reflect #(
         .b        (direction),
         .out_valid(cosine_valid),
         .out_tag  ({cosine_direction, cosine_normal, cosine_tag}),
-        .p        (cosine)
+        .p        (cosine_value)
     );
 
     wire along_valid;
     wire [TAG_W-1:0] along_tag;
     wire [3*W-1:0] along_direction;
+    wire [W-1:0] along_cosine;
     wire [3*W-1:0] along;
 
     vec_scale #(
@@ -66,16 +69,16 @@ module reflect #(
         .B_FRAC  (`RT_UNIT_FRAC),
         .OUT_INT (`RT_UNIT_INT),
         .OUT_FRAC(`RT_UNIT_FRAC),
-        .TAG_W   (3*W + TAG_W)
+        .TAG_W   (4*W + TAG_W)
     ) u_along (
         .clk      (clk),
         .rst      (rst),
         .in_valid (cosine_valid),
-        .in_tag   ({cosine_direction, cosine_tag}),
+        .in_tag   ({cosine_direction, cosine_value, cosine_tag}),
         .a        (cosine_normal),
-        .s        (cosine),
+        .s        (cosine_value),
         .out_valid(along_valid),
-        .out_tag  ({along_direction, along_tag}),
+        .out_tag  ({along_direction, along_cosine, along_tag}),
         .p        (along)
     );
 
@@ -103,15 +106,15 @@ module reflect #(
     always @(posedge clk) mirrored_reg <= mirrored_next;
 
     valid_pipe #(
-        .TAG_W  (TAG_W),
+        .TAG_W  (W + TAG_W),
         .LATENCY(1)
     ) u_valid (
         .clk      (clk),
         .rst      (rst),
         .in_valid (along_valid),
-        .in_tag   (along_tag),
+        .in_tag   ({along_cosine, along_tag}),
         .out_valid(out_valid),
-        .out_tag  (out_tag)
+        .out_tag  ({cosine, out_tag})
     );
 
     assign mirrored = mirrored_reg;

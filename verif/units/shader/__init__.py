@@ -1,1 +1,0 @@
-"""Bench of the colour of a hit."""
