@@ -49,9 +49,15 @@ def _normalise(parameters: Parameters) -> int:
     return _norm(parameters) + _div_core({"QUOT_W": parameters.get("OUT_FRAC", 10) + 1}) + sign
 
 
-def _object_setup(_: Parameters) -> int:
-    done_register = 1
-    return formats(Knobs()).inv_radius.width + done_register
+def _object_setup(frame: Parameters) -> int:
+    """Of a frame with SPHERES (1) and TRIANGLES (0); NORMALISER: latency of the one that it shares."""
+    ends = next_object = read = load = write = 1
+    around = next_object + read + load + write
+    sphere = around + formats(Knobs()).inv_radius.width
+    asked = 1
+    normaliser = frame.get("NORMALISER", _unit_vector({}))
+    triangle = around + 9 + _MUL + asked + normaliser
+    return 2 * next_object + ends + frame.get("SPHERES", 1) * sphere + frame.get("TRIANGLES", 0) * triangle
 
 
 def _camera(_: Parameters) -> int:
@@ -75,10 +81,11 @@ def _light_vector(_: Parameters) -> int:
     return difference + _unit_vector({}) + limit
 
 
-def _sphere_intersect(_: Parameters) -> int:
-    center = offset = square_sum = discriminant = ends = hit = 1
+def _intersection(_: Parameters) -> int:
+    corners = 1 + _BLOCK_SHIFT
+    move = offset = square_sum = discriminant = ends = hit = 1
     root = _sqrt({"D_W": 2 * formats(Knobs()).half_chord.width})
-    to_offset = center + _DOT + _PRODUCT + offset
+    to_offset = corners + _DOT + _MUL + move + offset
     return to_offset + _MUL + square_sum + discriminant + root + ends + hit
 
 
@@ -107,6 +114,7 @@ LATENCY: dict[str, Callable[[Parameters], int]] = {
     "div_iter": lambda parameters: parameters.get("NUM_W", 24),
     "dot": _constant(_DOT),
     "highlight": _constant(_HIGHLIGHT),
+    "intersection": _intersection,
     "iterate": lambda parameters: parameters.get("STEPS", 20),
     "light_vector": _light_vector,
     "mul": _constant(_MUL),
@@ -119,7 +127,6 @@ LATENCY: dict[str, Callable[[Parameters], int]] = {
     "refract": _refract,
     "resize": _constant(0),
     "rgb888": _constant(1),
-    "sphere_intersect": _sphere_intersect,
     "sqrt": _sqrt,
     "sqrt_iter": lambda parameters: parameters.get("D_W", 40) // 2,
     "sqrt_step": _constant(0),

@@ -30,13 +30,6 @@ BOOK_HALF_ANGLE_DEGREES = 30
 """The book's half field of view: tan_h = tan(30 degrees), tan_v = tan(30 degrees * h / w)."""
 
 
-MAX_LIGHTS, MAX_SPHERES, MAX_TRIANGLES = 1, 1, 0
-"""What a frame of this slice of the core may hold (book, chapter 11)."""
-
-DEPTH = 1
-"""Depth to which this slice of the core draws: no secondary rays."""
-
-
 class Fault(IntEnum):
     """Why a frame is refused: the first fault of its bit string, then the picture's size, then the camera."""
 

@@ -7,7 +7,7 @@ import numpy as np
 from models.core.unit_vector import unit_vector
 from models.fixed import Raw
 from models.formats import Formats
-from models.limits import Fault
+from models.limits import MAX_DEPTH, Fault
 from models.scene.types import Camera
 
 
@@ -21,12 +21,14 @@ class CameraFault(ValueError):
 
 @dataclass(frozen=True)
 class Registers:
-    """What the core is told beside the frame: size in pixels, raw tangents in the format `tan`."""
+    """What the core is told beside the frame: size in pixels, raw tangents in the format `tan`, depth of the
+    deepest ray."""
 
     width: int
     height: int
     tan_h: int
     tan_v: int
+    depth: int = MAX_DEPTH
 
 
 @dataclass(frozen=True)

@@ -25,13 +25,12 @@ def phong(
     k_diffuse: Raw,
     k_specular: Raw,
     intensity: Raw,
-    attenuation: Raw,
     fmts: Formats,
 ) -> Raw:
     """What a light adds, (3, n) in `shade`: zero where N.L <= 0 or the light is ``dark``.
 
-    normal, mirrored, direction: N, R, L of shape (3, n). Coefficients, intensity and attenuation: (3, n) or
-    (3, 1) in `coeff`.
+    normal, mirrored, direction: N, R, L of shape (3, n). Coefficients and intensity: (3, n) or (3, 1) in
+    `coeff`.
     """
     diffuse_cosine = resize(dot(normal, direction, fmts.unit, fmts.unit, fmts.unit), fmts.unit, fmts.cosine)
     specular_cosine = resize(
@@ -41,8 +40,7 @@ def phong(
     power = highlight(specular_cosine, fmts)
     diffuse = vec_mul(k_diffuse, diffuse_cosine, fmts.coeff, fmts.cosine, fmts.shade)
     specular = vec_mul(k_specular, power, fmts.coeff, fmts.cosine, fmts.shade)
-    arriving = vec_mul(intensity, attenuation, fmts.coeff, fmts.coeff, fmts.shade)
-    total = vec_mul(colour_add(diffuse, specular, fmts), arriving, fmts.shade, fmts.shade, fmts.shade)
+    total = vec_mul(colour_add(diffuse, specular, fmts), intensity, fmts.shade, fmts.coeff, fmts.shade)
     return np.where(lit, total, 0)
 
 

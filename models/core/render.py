@@ -1,38 +1,56 @@
-"""The whole frame, bit by bit as the core draws it: model of ``hdl/raytracer.v``."""
+"""The whole frame, bit by bit as the core draws it: model of ``hdl/raytracer.v`` (book 8.2).
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+A pixel is the sum of its terms, each a ray's weight times a colour. No term is negative, so the saturated sum
+does not depend on their order, and the rays of a level can be traced together.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from models.arith import vec_mul
 from models.core.camera import Basis, Registers, camera
+from models.core.light import light_vector
+from models.core.objects import Objects, column
+from models.core.phong import phong
 from models.core.pixel import rgb888
 from models.core.rays import ray_generator
-from models.core.setup import object_setup
-from models.core.shader import PointLight, Shaded, Sphere, shade_hit
-from models.core.sphere import SphereHit, sphere_intersect
+from models.core.refract import refract
+from models.core.surface import reflect, surface
+from models.core.trace import MISS, Nearest, attenuate, nearest
 from models.core.unit_vector import unit_vector
 from models.fixed import Raw
 from models.formats import Formats
-from models.limits import INFINITY
-from models.scene.types import Scene, Vec3, View
+from models.limits import MIN_WEIGHT
+from models.scene.types import Light, Scene, View
 
-MISS = -1
-"""Object number of a ray that hits nothing."""
+_BATCH = 16384
+"""Primary rays at a time: what is between two steps stays near the processor."""
 
-_BATCH = 8192
-"""Rays at a time: what is between two steps stays in the cache."""
+
+@dataclass
+class Counts:
+    """What the core counts: rays by kind, tests of a ray against an object, lights left out because they were
+    at the hit point."""
+
+    primary_rays: int = 0
+    secondary_rays: int = 0
+    shadow_rays: int = 0
+    tests: int = 0
+    lights_at_point: int = 0
 
 
 @dataclass(frozen=True)
 class Rendering:
-    """A picture: ``rgb`` uint8 (h, w, 3), ``hit`` int16 (h, w) object numbers or MISS, and the number of
-    hits whose light was at the hit point."""
+    """A picture: ``rgb`` uint8 (h, w, 3), ``hit`` int16 (h, w) object numbers or MISS of the primary rays, and
+    what was counted."""
 
     rgb: NDArray[np.uint8]
     hit: NDArray[np.int16]
-    lights_at_point: int
+    counts: Counts
+    degenerate: int
 
 
 def registers(view: View, fmts: Formats) -> Registers:
@@ -47,71 +65,208 @@ def registers(view: View, fmts: Formats) -> Registers:
     return Registers(view.width, view.height, *tangents)
 
 
-def _column(vector: Vec3) -> Raw:
-    return np.array(vector, dtype=np.int64).reshape(3, 1)
+@dataclass(frozen=True)
+class _Rays:
+    """n rays of one level: pixel (n,), origin (3, n) or (3, 1) in `point`, direction (3, n) in `unit`, weight
+    (3, n) or (3, 1) in `shade`, own (n,): the triangle that it starts on, or MISS."""
+
+    pixel: Raw
+    origin: Raw
+    direction: Raw
+    weight: Raw
+    own: Raw
+
+    def where(self, index: Raw) -> "_Rays":
+        """Some of the rays, with all columns of their own."""
+        shape = self.direction.shape
+        return _Rays(
+            self.pixel[index],
+            np.broadcast_to(self.origin, shape)[:, index],
+            self.direction[:, index],
+            np.broadcast_to(self.weight, shape)[:, index],
+            self.own[index],
+        )
 
 
 @dataclass(frozen=True)
-class Frame:
+class Event:
+    """One thing that the core does for a pixel: a ray's hit or miss, a child, a term of the sum; raw values."""
+
+    kind: str
+    depth: int
+    values: tuple[int, ...]
+
+
+Watch = Callable[[str, int, tuple[Raw, ...]], None]
+"""Hears of each kind of event with its depth and the values of all rays of a level, (k, n) or (n,) each."""
+
+
+def _unwatched(_kind: str, _depth: int, _values: tuple[Raw, ...]) -> None:
+    """Nobody listens."""
+
+
+@dataclass
+class _Tracer:
+    """The rays of one batch of pixels, and what becomes of them; sums (3, pixels) in `shade`."""
+
+    scene: Scene
+    registers: Registers
+    fmts: Formats
+    objects: Objects
+    sums: Raw
+    counts: Counts = field(default_factory=Counts)
+    watch: Watch = _unwatched
+
+    def trace(self, primary: _Rays) -> Raw:
+        """Traces whole trees; the objects (n,) that the primary rays hit."""
+        self.counts.primary_rays += primary.pixel.size
+        levels, first = [primary], np.empty(0, dtype=np.int64)
+        for depth in range(1, self.registers.depth + 1):
+            children: list[_Rays] = []
+            for rays in levels:
+                found, tests = nearest(
+                    self.objects, rays.origin, rays.direction, rays.own, self.fmts
+                )
+                self.counts.tests += tests
+                if depth == 1:
+                    first = found.number
+                self._miss(rays, np.flatnonzero(found.number == MISS), depth)
+                hit = np.flatnonzero(found.number != MISS)
+                if hit.size:
+                    children += self._shade(rays.where(hit), found.where(hit), depth)
+            levels = children
+            self.counts.secondary_rays += sum(rays.pixel.size for rays in levels)
+        return first
+
+    def _add(self, pixel: Raw, term: Raw, depth: int) -> None:
+        """Rays of one batch belong to different pixels."""
+        self.watch("term", depth, (term,))
+        total = self.sums[:, pixel] + term
+        self.sums[:, pixel] = np.minimum(total, self.fmts.shade.max)
+
+    def _miss(self, rays: _Rays, missed: Raw, depth: int) -> None:
+        if missed.size:
+            fmts = self.fmts
+            behind = column(self.scene.background) << (fmts.shade.frac_bits - fmts.coeff.frac_bits)
+            weight = np.broadcast_to(rays.weight, rays.direction.shape)[:, missed]
+            self.watch("miss", depth, (rays.direction[:, missed],))
+            self._add(rays.pixel[missed], self._weighted(behind, weight), depth)
+
+    def _weighted(self, colour: Raw, weight: Raw) -> Raw:
+        shade = self.fmts.shade
+        return vec_mul(colour, weight, shade, shade, shade)
+
+    def _shade(self, rays: _Rays, hit: Nearest, depth: int) -> list[_Rays]:
+        """Adds what the hits of some rays show themselves, and gives their children, a kind a batch."""
+        objects, fmts, number = self.objects, self.fmts, hit.number
+        leaving, triangle = hit.leaving != 0, objects.triangle[number]
+        point, normal = surface(
+            rays.origin,
+            rays.direction,
+            triangle,
+            leaving,
+            hit.distance,
+            hit.offset,
+            hit.half_chord,
+            objects.center[:, number],
+            objects.inv_radius[number],
+            objects.normal[:, number],
+            fmts,
+        )
+        mirrored, cosine = reflect(rays.direction, normal, fmts)
+        self.watch("hit", depth, (number, hit.leaving, rays.direction, point, normal))
+        own = np.where(triangle, number, MISS)
+        here = _Rays(rays.pixel, point, rays.direction, rays.weight, own)
+        self._add(here.pixel, self._weighted(objects.ambient[:, number], here.weight), depth)
+        for light in self.scene.lights:
+            self._light(light, here, number, normal, mirrored, depth)
+        if depth == self.registers.depth:
+            return []
+        refracted = refract(
+            rays.direction, normal, mirrored, cosine, objects.index[number], leaving, fmts
+        )
+        return [
+            *self._child(here, mirrored, objects.reflection[:, number], depth),
+            *self._child(here, refracted.transmitted, objects.transparency[:, number], depth),
+        ]
+
+    def _light(
+        self, light: Light, here: _Rays, number: Raw, normal: Raw, mirrored: Raw, depth: int
+    ) -> None:
+        """Adds what one light adds to hits."""
+        objects, fmts = self.objects, self.fmts
+        way = light_vector(here.origin, column(light.position), fmts)
+        self.counts.lights_at_point += int(way.degenerate.sum())
+        shown = phong(
+            normal,
+            mirrored,
+            way.direction,
+            way.degenerate,
+            objects.diffuse[:, number],
+            objects.specular[:, number],
+            column(light.intensity),
+            fmts,
+        )
+        colour = self._weighted(shown, here.weight)
+        lit = np.flatnonzero(colour.any(axis=0))
+        self.counts.shadow_rays += lit.size
+        if not lit.size:
+            return
+        left, tests = attenuate(
+            objects,
+            here.origin[:, lit],
+            way.direction[:, lit],
+            way.limit[lit],
+            here.own[lit],
+            colour[:, lit],
+            fmts,
+        )
+        self.counts.tests += tests
+        self._add(here.pixel[lit], left, depth)
+
+    def _child(self, here: _Rays, direction: Raw, share: Raw, depth: int) -> list[_Rays]:
+        """The secondary rays of one kind: where a channel of the weight is not negligible."""
+        fmts = self.fmts
+        weight = vec_mul(here.weight, share, fmts.shade, fmts.coeff, fmts.shade)
+        keep = np.flatnonzero(weight.max(axis=0) >= int(MIN_WEIGHT * fmts.shade.one))
+        if not keep.size:
+            return []
+        child = _Rays(
+            here.pixel[keep], here.origin[:, keep], direction[:, keep], weight[:, keep], here.own[keep]
+        )
+        self.watch("child", depth + 1, (child.weight, child.direction))
+        return [child]
+
+
+@dataclass(frozen=True)
+class _Frame:
     """A scene after its set-up: what holds still while rays are traced."""
 
     scene: Scene
     registers: Registers
     fmts: Formats
     basis: Basis
-    sphere: Sphere | None
-    light: PointLight
+    objects: Objects
 
     @classmethod
-    def of(cls, scene: Scene, size: Registers, fmts: Formats) -> "Frame":
-        """Set-up of a frame with at most one sphere and one light, this slice's capacity.
+    def of(cls, scene: Scene, size: Registers, fmts: Formats) -> "_Frame":
+        """Set-up of a frame. Raises CameraFault for a camera that cannot be drawn."""
+        return cls(scene, size, fmts, camera(scene.camera, size, fmts), Objects.of(scene, fmts))
 
-        Raises CameraFault for a camera that cannot be drawn, ValueError for more objects.
-        """
-        if len(scene.spheres) > 1 or len(scene.lights) > 1 or scene.triangles:
-            raise ValueError("more than one sphere, one light, no triangle")
-        basis = camera(scene.camera, size, fmts)
-        return cls(scene, size, fmts, basis, _sphere(scene, fmts), _light(scene))
+    def primary(self, pixel: Raw) -> _Rays:
+        """Rays through pixels, counted row by row; ``pixel`` of the rays counts from the first of them."""
+        size, fmts = self.registers, self.fmts
+        screen = ray_generator(self.basis, size.width, size.height, pixel % size.width, pixel // size.width)
+        origin = column(self.scene.camera.position) << (fmts.point.frac_bits - fmts.coord.frac_bits)
+        weight = np.full((3, 1), fmts.shade.one, dtype=np.int64)
+        direction = unit_vector(screen, fmts.screen.width, fmts).unit
+        own = np.full(pixel.size, MISS, dtype=np.int64)
+        return _Rays(np.arange(pixel.size), origin, direction, weight, own)
 
-    def directions(self, x: Raw, y: Raw) -> Raw:
-        """Unit directions (3, n) of pixels."""
-        screen = ray_generator(self.basis, self.registers.width, self.registers.height, x, y)
-        return unit_vector(screen, self.fmts.screen.width, self.fmts).unit
-
-    def origin(self) -> Raw:
-        """The camera as a point, (3, 1)."""
-        return _column(self.scene.camera.position) << (self.fmts.point.frac_bits - self.fmts.coord.frac_bits)
-
-    def test(self, direction: Raw, sphere: Sphere) -> SphereHit:
-        """Primary rays against the sphere."""
-        infinity = int(INFINITY * self.fmts.point.one)
-        return sphere_intersect(
-            self.origin(), direction, sphere.center, sphere.radius_sq, infinity, self.fmts
-        )
-
-
-def _sphere(scene: Scene, fmts: Formats) -> Sphere | None:
-    if not scene.spheres:
-        return None
-    sphere = scene.spheres[0]
-    material = sphere.material
-    radius = np.array([sphere.radius], dtype=np.int64)
-    constants = object_setup(radius, _column(scene.ambient), _column(material.ambient), fmts)
-    return Sphere(
-        _column(sphere.center),
-        constants.radius_sq,
-        constants.inv_radius,
-        constants.ambient,
-        _column(material.diffuse),
-        _column(material.specular),
-        _column(material.transparency),
-    )
-
-
-def _light(scene: Scene) -> PointLight:
-    if not scene.lights:
-        return PointLight(False, _column((0, 0, 0)), _column((0, 0, 0)))
-    return PointLight(True, _column(scene.lights[0].position), _column(scene.lights[0].intensity))
+    def tracer(self, pixels: int, counts: Counts, watch: Watch = _unwatched) -> _Tracer:
+        """A tracer of so many pixels."""
+        sums = np.zeros((3, pixels), dtype=np.int64)
+        return _Tracer(self.scene, self.registers, self.fmts, self.objects, sums, counts, watch)
 
 
 def _batches(pixels: int) -> Iterator[slice]:
@@ -119,47 +274,28 @@ def _batches(pixels: int) -> Iterator[slice]:
 
 
 def render(scene: Scene, size: Registers, fmts: Formats) -> Rendering:
-    """The picture that the core draws. Raises as `Frame.of` does."""
-    frame = Frame.of(scene, size, fmts)
+    """The picture that the core draws. Raises CameraFault for a camera, or a size, that cannot be drawn."""
+    frame = _Frame.of(scene, size, fmts)
     pixels = size.width * size.height
-    behind = rgb888(_column(scene.background) << (fmts.shade.frac_bits - fmts.coeff.frac_bits), fmts)
     rgb = np.empty((pixels, 3), dtype=np.uint8)
-    rgb[:] = behind[:, 0]
-    hits = np.full(pixels, MISS, dtype=np.int16)
-    at_point = 0
-    for part in _batches(pixels if frame.sphere is not None else 0):
-        index = np.arange(part.start, part.stop)
-        direction = frame.directions(index % size.width, index // size.width)
-        assert frame.sphere is not None
-        found = frame.test(direction, frame.sphere)
-        (where,) = found.hit.nonzero()
-        if where.size:
-            shaded = shade_hit(direction[:, where], found.where(where), frame.sphere, frame.light, fmts)
-            rgb[part.start + where] = rgb888(shaded.colour, fmts).T
-            hits[part.start + where] = 0
-            at_point += int((shaded.degenerate & frame.light.on).sum())
+    hits = np.empty(pixels, dtype=np.int16)
+    counts = Counts()
+    for part in _batches(pixels):
+        tracer = frame.tracer(part.stop - part.start, counts)
+        hits[part] = tracer.trace(frame.primary(np.arange(part.start, part.stop)))
+        rgb[part] = rgb888(tracer.sums, fmts).T
     shape = (size.height, size.width)
-    return Rendering(rgb.reshape(*shape, 3), hits.reshape(shape), at_point)
+    return Rendering(rgb.reshape(*shape, 3), hits.reshape(shape), counts, frame.objects.degenerate)
 
 
-def _fields(record: SphereHit | Shaded, *names: str) -> dict[str, Raw]:
-    return {name: np.asarray(getattr(record, name), dtype=np.int64) for name in names}
+def trace_pixel(scene: Scene, size: Registers, fmts: Formats, x: int, y: int) -> list[Event]:
+    """All that the core does for one pixel, level by level. Raises as `render` does."""
+    frame = _Frame.of(scene, size, fmts)
+    events: list[Event] = []
 
+    def watch(kind: str, depth: int, values: tuple[Raw, ...]) -> None:
+        flat = [int(number) for value in values for number in value[..., 0].ravel()]
+        events.append(Event(kind, depth, tuple(flat)))
 
-def trace_pixel(scene: Scene, size: Registers, fmts: Formats, x: int, y: int) -> dict[str, Raw]:
-    """One pixel, stage by stage: name of the stage and its raw value, in the order of the pipeline."""
-    frame = Frame.of(scene, size, fmts)
-    at = np.array([x], dtype=np.int64), np.array([y], dtype=np.int64)
-    screen = ray_generator(frame.basis, size.width, size.height, *at)
-    direction = unit_vector(screen, fmts.screen.width, fmts).unit
-    stages: dict[str, Raw] = {"screen": screen, "direction": direction}
-    if frame.sphere is None:
-        return stages
-    found = frame.test(direction, frame.sphere)
-    stages |= {"hit": found.hit.astype(np.int64)}
-    if found.hit[0]:
-        shaded: Shaded = shade_hit(direction, found, frame.sphere, frame.light, fmts)
-        stages |= _fields(found, "leaving", "distance", "offset", "half_chord")
-        stages |= _fields(shaded, "point", "normal", "mirrored", "light", "limit", "shadowed")
-        stages |= _fields(shaded, "direct", "colour")
-    return stages
+    frame.tracer(1, Counts(), watch).trace(frame.primary(np.array([x + size.width * y])))
+    return events

@@ -1,4 +1,4 @@
-"""Ray and sphere: model of ``hdl/trace/sphere_intersect.v`` (book 8.2.2)."""
+"""Ray and sphere: the sphere's half of ``hdl/trace/intersection.v`` (book 8.2.2)."""
 
 from typing import NamedTuple
 
@@ -22,11 +22,6 @@ class SphereHit(NamedTuple):
     half_chord: Raw
     along: Raw
     discriminant: Raw
-
-    def where(self, index: NDArray[np.intp]) -> "SphereHit":
-        """Some of the tests."""
-        return SphereHit._make(values[..., index] for values in self)
-
 
 def sphere_intersect(
     origin: Raw, direction: Raw, center: Raw, radius_sq: Raw, limit: Raw | int, fmts: Formats
