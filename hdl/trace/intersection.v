@@ -16,7 +16,8 @@
 //     t = N.A / N.I, both sides are hit
 // A corner is moved along the ray onto the plane across the longest component z of I: x' = I_z x - I_x z,
 // y' likewise, rounded. The ray passes inside where no two of the areas A' x B', B' x C', C' x A' have
-// opposite signs; each is exact for the rounded corners, and the exponents do not change its sign.
+// opposite signs and not all are 0; each is exact for the rounded corners, and the exponents do not
+// change its sign.
 // A corner's place depends on the ray and the corner alone: triangles that share edges or corners
 // leave no gap (after Woop, Benthin, Wald: Watertight Ray/Triangle Intersection, 2013).
 //
@@ -655,7 +656,8 @@ module intersection #(
         end
     endgenerate
 
-    always @(posedge clk) inside_reg <= positive_reg == 3'd0 || negative_reg == 3'd0;
+    // Exactly one of the two: with all areas 0 the triangle is seen as a line or a point.
+    always @(posedge clk) inside_reg <= (positive_reg == 3'd0) ^ (negative_reg == 3'd0);
 
     wire is_inside;
 
