@@ -64,15 +64,15 @@ def _surface(f: Formats) -> int:
 
 
 _WIDE = Format(20, 0)
-"""Operands of the camera's shared multiplier: differences of coordinates, tangents."""
+"""Operands of the multipliers that set-ups share: differences of coordinates, tangents, coefficients."""
 
 STAGES = (
     Stage("camera", "basis of the screen, once a frame", lambda _: multipliers(_WIDE, _WIDE), "screen, span"),
     Stage(
         "object_setup",
-        "r², 1/r, ambient term, once a frame",
-        lambda f: multipliers(f.coeff, f.coeff, 3),
-        "radius_sq, inv_radius, shade",
+        "constants of the objects, once a frame: of one sphere",
+        lambda _: multipliers(_WIDE, _WIDE),
+        "radius_sq, inv_radius, unit, shade",
     ),
     Stage(
         "unit_vector",

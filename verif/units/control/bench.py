@@ -17,6 +17,7 @@ _CAMERA_FAULTS = (Fault.SIZE, Fault.CAMERA_POSITION, Fault.CAMERA_UP)
 _OUTPUTS = (
     "load_ready",
     "swap",
+    "frame_start",
     "camera_start",
     "object_start",
     "draw_start",
@@ -25,36 +26,40 @@ _OUTPUTS = (
     "frame_error",
     "busy",
 )
+Going = tuple[bool, ...]
+"""Clocks of the input `go`, repeated."""
+
 _OVERHEAD = 12
 """Clocks of a frame beside the work of the blocks, at most."""
 
 
 @dataclass(frozen=True)
 class Job:
-    """A frame: clocks that each block takes for it, and what they find."""
+    """A frame: clocks that each block takes for it, and what they find; `ready`: clocks from its swap to
+    draw_ready."""
 
     wait: int
     load: int
     load_fault: Fault
     camera: int
     camera_fault: Fault
-    has_object: bool
     object: int
+    ready: int
     draw: int
 
     @property
     def clocks(self) -> int:
         """All the work of it, one block after the other."""
-        return self.wait + self.load + self.camera + self.object + self.draw + _OVERHEAD
+        return self.wait + self.load + self.camera + self.object + self.ready + self.draw + _OVERHEAD
 
     def events(self) -> list[str]:
         """What must be seen of this frame, in order."""
         if self.load_fault:
             return [f"error {self.load_fault.name}"]
-        start = ["swap", "camera_start", "object_start"]
+        start = ["swap", "camera_start"]
         if self.camera_fault:
             return [*start, f"error {self.camera_fault.name}"]
-        return [*start, "draw_start", "frame_done"]
+        return [*start, "object_start", "draw_start", "frame_done"]
 
 
 @dataclass
@@ -75,13 +80,15 @@ class Timer:
 
 @dataclass
 class Blocks:
-    """The loader, camera, object set-up and drawing that the control sees."""
+    """The loader, camera, set-up of the objects and drawing that the control sees."""
 
     jobs: Sequence[Job]
     loading: Timer = field(default_factory=Timer)
     camera: Timer = field(default_factory=Timer)
     object: Timer = field(default_factory=Timer)
+    ready: Timer = field(default_factory=Timer)
     draw: Timer = field(default_factory=Timer)
+    drawable: bool = False
     loaded: int = 0
     good: Iterator[Job] = field(init=False)
     current: Job | None = None
@@ -96,11 +103,17 @@ class ControlBench(Block):
     """One control, the blocks around it, and the rules of its outputs."""
 
     def __init__(self, dut: Any) -> None:
-        super().__init__(dut, idle=("load_done", "camera_done", "object_done", "draw_done", "has_object"))
+        super().__init__(
+            dut, idle=("load_done", "camera_done", "object_done", "draw_done", "go", "draw_ready")
+        )
         self._blocks = Blocks(())
+        self._going: Going = (True,)
+        self._ticks = 0
         self._locked = False
         self._busy = False
         self._occupied = False
+        self._waiting = False
+        self._due = False
         self.events: list[str] = []
 
     @classmethod
@@ -110,12 +123,13 @@ class ControlBench(Block):
         await bench.restart(())
         return bench
 
-    async def restart(self, jobs: Sequence[Job]) -> None:
-        """Reset, with the blocks around; these frames come next."""
+    async def restart(self, jobs: Sequence[Job], going: Going = (True,)) -> None:
+        """Reset, with the blocks around; these frames come next, while `go` repeats its clocks."""
         self.set(load_fault=0, camera_fault=0)
         await self.reset()
         self._blocks = Blocks(jobs)
-        self._locked = self._busy = self._occupied = False
+        self._going, self._ticks = going, 0
+        self._locked = self._busy = self._occupied = self._waiting = self._due = False
         self.events = []
 
     async def step(self) -> None:
@@ -125,6 +139,9 @@ class ControlBench(Block):
         object_done, draw_done = blocks.object.tick(), blocks.draw.tick()
         load_fault = blocks.jobs[blocks.loaded].load_fault if load_done else Fault.NONE
         camera_fault = blocks.current.camera_fault if camera_done and blocks.current else Fault.NONE
+        blocks.drawable |= blocks.ready.tick()
+        go = self._going[self._ticks % len(self._going)]
+        self._ticks += 1
         await self.clock(
             load_done=int(load_done),
             load_fault=int(load_fault),
@@ -132,12 +149,22 @@ class ControlBench(Block):
             camera_fault=int(camera_fault),
             object_done=int(object_done),
             draw_done=int(draw_done),
-            has_object=int(blocks.current.has_object) if blocks.current else 0,
+            go=int(go),
+            draw_ready=int(blocks.drawable),
         )
         seen = {name: bool(self.read(name)) for name in _OUTPUTS}
-        self._rules(seen, load_done and not load_fault, bool(camera_fault))
+        loaded = load_done and not load_fault
+        self._swaps(seen, go, loaded)
+        self._rules(seen, loaded, bool(camera_fault))
         self._errors(seen, load_fault, camera_fault)
         self._react(seen, load_done)
+
+    def _swaps(self, seen: dict[str, bool], go: bool, loaded: bool) -> None:
+        """A swap one clock after a frame has waited, nothing was set up or drawn, and go was high."""
+        same("swap", self._due, seen["swap"])
+        same("frame_start", self._due, seen["frame_start"])
+        self._due = go and self._waiting and not seen["busy"]
+        self._waiting = (self._waiting or loaded) and not seen["swap"]
 
     def _rules(self, seen: dict[str, bool], loaded: bool, refused: bool) -> None:
         """What must hold at every clock, whatever the frames are."""
@@ -152,12 +179,12 @@ class ControlBench(Block):
             raise Mismatch("load_ready while a frame waits or is set up")
         if seen["frame_done"] or refused:
             self._busy = False
-        current = self._blocks.current
-        if seen["draw_start"] and current is not None:
-            if self._blocks.camera.left > 0:
-                raise Mismatch("draw_start before the camera is done")
-            if current.has_object and self._blocks.object.left > 0:
-                raise Mismatch("draw_start before the object is set up")
+        if seen["object_start"] and self._blocks.camera.left >= 0:
+            raise Mismatch("object_start before the camera has been done")
+        if seen["draw_start"] and self._blocks.object.left >= 0:
+            raise Mismatch("draw_start before the objects have been set up")
+        if seen["draw_start"] and not self._blocks.drawable:
+            raise Mismatch("draw_start without draw_ready")
         # From the end of a load to the start of drawing, or the refusal, the records are needed.
         self._occupied = (self._occupied or loaded) and not (seen["draw_start"] or refused)
 
@@ -177,10 +204,13 @@ class ControlBench(Block):
         self.events += [name for name in names if seen[name]]
         if seen["swap"]:
             blocks.current = next(blocks.good)
+        if seen["swap"] or seen["draw_start"]:
+            blocks.drawable = False
         if blocks.current is not None:
             for name, timer, clocks in (
                 ("camera_start", blocks.camera, blocks.current.camera),
                 ("object_start", blocks.object, blocks.current.object),
+                ("swap", blocks.ready, blocks.current.ready),
                 ("draw_start", blocks.draw, blocks.current.draw),
             ):
                 if seen[name]:
@@ -197,7 +227,7 @@ class ControlBench(Block):
 
     async def run(self, jobs: Sequence[Job]) -> None:
         """All frames: each ends in done or error, exactly as its blocks say, and nothing else happens."""
-        limit = sum(job.clocks for job in jobs)
+        limit = sum(job.clocks + len(self._going) for job in jobs)
         ends = [job.events()[-1] for job in jobs]
         for _ in range(limit):
             await self.step()
@@ -234,38 +264,33 @@ def _jobs() -> st.SearchStrategy[list[Job]]:
         load_fault=good | good | st.sampled_from(_LOAD_FAULTS),
         camera=clocks,
         camera_fault=good | good | st.sampled_from(_CAMERA_FAULTS),
-        has_object=st.booleans(),
         object=st.integers(1, 24),
+        ready=st.integers(1, 60),
         draw=st.integers(1, 40),
     )
-    # The set-up of an object never outlives the next frame's load: see loader.
-    return st.lists(job, min_size=1, max_size=6).map(_in_time)
+    return st.lists(job, min_size=1, max_size=6)
 
 
-def _in_time(jobs: list[Job]) -> list[Job]:
-    """Frames whose object is set up before the next one's can start, as the core's latencies ensure."""
-    return [
-        Job(**{**vars(job), "object": min(job.object, job.camera + 2)})
-        if job.camera_fault or not job.has_object
-        else job
-        for job in jobs
-    ]
+def _going() -> st.SearchStrategy[Going]:
+    """Clocks of `go`, which is high in one of them at least."""
+    clocks = st.lists(st.booleans(), max_size=12)
+    return st.just((True,)) | st.builds(lambda drawn: (*drawn, True), clocks)
 
 
 def _a_good_job(load: int = 5, draw: int = 30) -> Job:
-    return Job(0, load, Fault.NONE, 6, Fault.NONE, True, 9, draw)
+    return Job(0, load, Fault.NONE, 6, Fault.NONE, 9, 1, draw)
 
 
 @cocotb.test()
 async def every_frame_ends_in_done_or_error_in_the_right_order(dut: Any) -> None:
-    """Drawn frames; at every clock the rules of load_ready, busy, size_lock and errors hold."""
+    """Drawn frames and clocks of `go`; at every clock the rules of all outputs hold."""
     bench = await ControlBench.create(dut)
 
-    async def example(jobs: list[Job]) -> None:
-        await bench.restart(jobs)
+    async def example(jobs: list[Job], going: Going) -> None:
+        await bench.restart(jobs, going)
         await bench.run(jobs)
 
-    await holds(context.read(), example, _jobs())
+    await holds(context.read(), example, _jobs(), _going())
 
 
 @cocotb.test()
@@ -273,18 +298,19 @@ async def reset_at_any_moment_forgets_every_frame(dut: Any) -> None:
     """After it no event comes of a frame of before; the size is taken anew with the first one."""
     bench = await ControlBench.create(dut)
 
-    async def example(before: list[Job], wait: int, quiet: int, after: list[Job]) -> None:
-        await bench.restart(before)
+    async def example(before: list[Job], wait: int, quiet: int, after: list[Job], going: Going) -> None:
+        await bench.restart(before, going)
         for _ in range(wait):
             await bench.step()
         await bench.restart(())
         for _ in range(quiet):
             await bench.step()
         same("events after reset without a frame", [], bench.events)
-        await bench.restart(after)
+        await bench.restart(after, going)
         await bench.run(after)
 
-    await holds(context.read(), example, _jobs(), st.integers(0, 80), st.integers(0, 8), _jobs())
+    quiet = st.integers(0, 8)
+    await holds(context.read(), example, _jobs(), st.integers(0, 80), quiet, _jobs(), _going())
 
 
 @cocotb.test()
@@ -296,30 +322,49 @@ async def the_next_frame_is_loaded_while_one_is_drawn(dut: Any) -> None:
     await bench.restart(jobs)
     before = bench.now
     await bench.run(jobs)
-    set_up = max(jobs[0].camera, jobs[0].object) + _OVERHEAD
+    set_up = jobs[0].camera + jobs[0].object + _OVERHEAD
     limit = jobs[0].load + frames * (set_up + jobs[0].draw)
     assert bench.now - before <= limit, f"{bench.now - before} clocks, more than {limit}"
 
 
 @cocotb.test()
-async def drawing_waits_for_the_slower_of_camera_and_object(dut: Any) -> None:
-    """All pairs of latencies up to 12 clocks, with and without an object."""
+async def drawing_waits_for_camera_objects_and_draw_ready(dut: Any) -> None:
+    """All pairs of times up to 8 clocks, and draw_ready before, with and after them."""
     bench = await ControlBench.create(dut)
-    for camera in range(1, 13):
-        for clocks in range(1, 13):
-            for has_object in (False, True):
-                if not has_object and clocks > camera:
-                    continue
-                job = Job(0, 1, Fault.NONE, camera, Fault.NONE, has_object, clocks, 1)
+    states = 3
+    for camera in range(1, 9):
+        for objects in range(1, 9):
+            for ready in range(1, camera + objects + 10):
+                job = Job(0, 1, Fault.NONE, camera, Fault.NONE, objects, ready, 1)
                 await bench.restart([job])
-                while "camera_start" not in bench.events:
+                while "swap" not in bench.events:
                     await bench.step()
-                start = bench.now
-                while "draw_start" not in bench.events and bench.now < start + 40:
+                swapped = bench.now
+                while "draw_start" not in bench.events and bench.now < swapped + job.clocks:
                     await bench.step()
-                ready = max(camera, clocks) if has_object else camera
-                waited = bench.now - start
-                assert ready < waited <= ready + 3, (
-                    f"{waited} clocks to draw_start, ready after {ready}: {job}"
+                earliest = max(camera + objects + states, ready)
+                waited = bench.now - swapped
+                assert earliest < waited <= earliest + 2, (
+                    f"{waited} clocks to draw_start, ready after {earliest}: {job}"
                 )
                 await bench.run([job])
+
+
+@cocotb.test()
+async def a_frame_waits_for_go(dut: Any) -> None:
+    """`go` high in one clock of a hundred: in each of them one frame begins, the next one waits meanwhile."""
+    bench = await ControlBench.create(dut)
+    period, low = 100, 30
+    jobs = [_a_good_job(load=3, draw=20) for _ in range(3)]
+    await bench.restart(jobs, tuple(clock == low for clock in range(period)))
+    drawn: list[str] = []
+    for job in jobs:
+        for _ in range(low):
+            await bench.step()
+        same("events before go", drawn, bench.events)
+        same("load_ready while a frame waits for go", 0, bench.read("load_ready"))
+        for _ in range(period - low):
+            await bench.step()
+        drawn += job.events()
+        same("events after go", drawn, bench.events)
+    same("load_ready at rest", 1, bench.read("load_ready"))

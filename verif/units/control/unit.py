@@ -11,8 +11,17 @@ UNIT = Unit(
             "assign load_ready   = !waiting_reg && (state_reg == S_IDLE || state_reg == S_DRAW);",
             "assign load_ready   = !waiting_reg;",
         ),
+        Break("control.v", "S_IDLE: if (waiting_reg && go)", "S_IDLE: if (waiting_reg)"),
+        Break("control.v", "S_READY: if (draw_ready)", "S_READY: if (1'b1)"),
         Break(
-            "control.v", "if (object_start) object_ready_reg <= 1'b0;", "if (rst) object_ready_reg <= 1'b0;"
+            "control.v",
+            "S_OBJECT: if (object_done) state_next = S_READY;",
+            "S_OBJECT: if (draw_ready) state_next = S_READY;",
+        ),
+        Break(
+            "control.v",
+            "else if (camera_done) state_next = S_START_OBJECT;",
+            "else state_next = S_START_OBJECT;",
         ),
         Break("control.v", "if (rst) locked_reg <= 1'b0;", "if (1'b0) locked_reg <= 1'b0;"),
     ),

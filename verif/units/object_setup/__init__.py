@@ -1,1 +1,1 @@
-"""Bench of the object's set-up."""
+"""Bench of the objects' set-up."""

@@ -1,132 +1,462 @@
-"""Tests of the object's set-up against fractions: it is exact, floored, saturated, and on time."""
+"""Tests of the objects' set-up against integers and fractions: every row exact, in order, and on time.
 
+The scene memory is a list that answers one clock after the index; the normaliser is its model, behind a drawn
+latency.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import floor
 from typing import Any
 
 import cocotb
+import numpy as np
 from hypothesis import strategies as st
+from numpy.random import Generator
 
+from models.core.setup import object_setup, triangle_setup
+from models.core.unit_vector import unit_vector
+from models.fixed import BOOK, COLOUR, RADIUS, Raw
 from models.formats import Knobs, formats
 from models.latency import LATENCY
-from models.scene.strategies import vectors
-from models.scene.types import Vec3
+from models.limits import RECORD_SLOTS, SPHERE_SLOTS
+from models.scene.strategies import materials, spheres, triangles, vectors
+from models.scene.types import BLACK, Material, Sphere, Triangle, Vec3
 from verif.env import context
 from verif.env.block import Block, holds, same
-from verif.env.fields import Field, Operands
-from verif.env.operands import from_rows
+from verif.env.fields import Field, split
 
 _FORMATS = formats(Knobs())
-_INPUTS = (
-    Field.of("radius", _FORMATS.radius),
-    Field.of("ambient_light", _FORMATS.coeff, lanes=3),
-    Field.of("k_ambient", _FORMATS.coeff, lanes=3),
-)
-_RADIUS_SQ = Field.of("radius_sq", _FORMATS.radius_sq)
-_INV_RADIUS = Field.of("inv_radius", _FORMATS.inv_radius)
-_AMBIENT = Field.of("ambient", _FORMATS.shade, lanes=3)
-_LATENCY = LATENCY["object_setup"]({})
+_SLOT_W = _FORMATS.coord.width
+_COUNT_W = 8
+_SHAPE_W = 3 * _FORMATS.unit.width
+_SLOTS = {"sphere": SPHERE_SLOTS, "triangle": RECORD_SLOTS}
+_ROW = ("table_index", "table_geometry", "table_surface", "table_material", "degenerate")
 
-Drawn = tuple[int, Vec3, Vec3]
+Row = Mapping[str, int]
+"""An object's number and its three rows by port, as unsigned numbers."""
 
 
-def _operands(drawn: Drawn) -> Operands:
-    radius, light, coefficient = drawn
-    return from_rows(_INPUTS, [(radius, *light, *coefficient)])
+@dataclass(frozen=True)
+class Frame:
+    """What is set up, and the clocks that the normaliser takes meanwhile."""
+
+    ambient: Vec3
+    spheres: tuple[Sphere, ...]
+    triangles: tuple[Triangle, ...]
+    normaliser: int
+
+    @property
+    def clocks(self) -> int:
+        """The time from start to done that the header promises."""
+        counts = {"SPHERES": len(self.spheres), "TRIANGLES": len(self.triangles)}
+        return LATENCY["object_setup"]({**counts, "NORMALISER": self.normaliser})
+
+    def records(self) -> dict[str, list[int]]:
+        """The records by port, as the loader gathers them."""
+        return {
+            "sphere": [_packed([0, *_material(s.material), *s.center, s.radius]) for s in self.spheres],
+            "triangle": [_packed([1, *_material(t.material), *_flat(t.vertices)]) for t in self.triangles],
+        }
 
 
-def _constants(drawn: Drawn) -> tuple[int, int, list[int]]:
-    """Radius squared, 1 / radius and ambient term, raw, straight from their definitions."""
-    radius, light, coefficient = drawn
-    size = Fraction(radius, _FORMATS.radius.one)
-    square = size * size * _FORMATS.radius_sq.one
-    inverse = floor(_FORMATS.inv_radius.one / size)
+def _flat(vectors: Sequence[Vec3]) -> list[int]:
+    return [component for vector in vectors for component in vector]
+
+
+def _material(material: Material) -> list[int]:
+    colours = (material.ambient, material.diffuse, material.specular, material.reflection)
+    return [*_flat((*colours, material.transparency)), material.index]
+
+
+def _packed(values: Sequence[int], width: int = _SLOT_W) -> int:
+    """Numbers side by side, the first one in the most significant bits."""
+    word = 0
+    for value in values:
+        word = word << width | value & ((1 << width) - 1)
+    return word
+
+
+def cross(triangle: Triangle) -> Vec3:
+    """The exact product (p1 - p0) x (p2 - p0), raw."""
+    p0, p1, p2 = triangle.vertices
+    a, b = ([to - of for to, of in zip(p, p0, strict=True)] for p in (p1, p2))
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def _direction(vector: Vec3, bits: int) -> list[int]:
+    """What the normaliser makes of a vector."""
+    column = np.array(vector, dtype=np.int64).reshape(3, 1)
+    return [int(lane) for lane in unit_vector(column, bits, _FORMATS).unit[:, 0]]
+
+
+def _ambient(light: Vec3, coefficient: Vec3) -> list[int]:
     unit = Fraction(_FORMATS.shade.one, _FORMATS.coeff.one**2)
-    ambient = [min(floor(a * b * unit), _FORMATS.shade.max) for a, b in zip(light, coefficient, strict=True)]
+    return [min(floor(a * b * unit), _FORMATS.shade.max) for a, b in zip(light, coefficient, strict=True)]
+
+
+def _concatenated(*parts: tuple[int, int]) -> int:
+    """Pairs of value and width, the first one in the most significant bits."""
+    word = 0
+    for value, width in parts:
+        assert 0 <= value < 1 << width, f"{value} in {width} bits"
+        word = word << width | value
+    return word
+
+
+def _material_row(light: Vec3, material: Material) -> int:
+    colours = (material.diffuse, material.specular, material.reflection, material.transparency)
+    ambient = _packed(_ambient(light, material.ambient), _FORMATS.shade.width)
+    return _concatenated((ambient, 3 * _FORMATS.shade.width), (_packed(_flat(colours)), 12 * _SLOT_W))
+
+
+def _rows(
+    material: Material, shape: tuple[int, int], places: Sequence[Vec3], dead: bool, light: Vec3
+) -> dict[str, int]:
+    """Rows of an object; ``shape``: what tests and what shading need. A sphere has one place, its center."""
+    triangle = int(len(places) > 1)
+    tested, shaded = shape
+    vertices = _flat(places) + [0] * (9 - 3 * len(places))
+    center = [0, 0, 0] if triangle else places[0]
+    glass = int(any(material.transparency))
+    transparency = (_packed(material.transparency), 3 * _SLOT_W)
+    return {
+        "table_geometry": _concatenated(
+            (triangle, 1),
+            (int(dead), 1),
+            (glass, 1),
+            (tested, _SHAPE_W),
+            (_packed(vertices), 9 * _SLOT_W),
+            transparency,
+        ),
+        "table_surface": _concatenated(
+            (triangle, 1), (material.index, 4), (shaded, _SHAPE_W), (_packed(center), 3 * _SLOT_W)
+        ),
+        "table_material": _material_row(light, material),
+        "degenerate": int(dead),
+    }
+
+
+def _sphere_rows(sphere: Sphere, light: Vec3) -> dict[str, int]:
+    """Radius squared, 1 / radius and ambient term straight from their definitions."""
+    size = Fraction(sphere.radius, _FORMATS.radius.one)
+    square = size * size * _FORMATS.radius_sq.one
     assert square.denominator == 1, "radius squared is not exact in its format"
-    return int(square), inverse, ambient
+    shape = (int(square), floor(_FORMATS.inv_radius.one / size))
+    return _rows(sphere.material, shape, (sphere.center,), dead=False, light=light)
+
+
+def _triangle_rows(triangle: Triangle, light: Vec3, bits: int) -> dict[str, int]:
+    exact = cross(triangle)
+    normal = _packed(_direction(exact, bits), _FORMATS.unit.width)
+    return _rows(triangle.material, (normal, normal), triangle.vertices, not any(exact), light)
+
+
+def expected(frame: Frame, bits: int) -> list[Row]:
+    """Every row of a frame, in order, from the definitions."""
+    rows = [_sphere_rows(sphere, frame.ambient) for sphere in frame.spheres]
+    rows += [_triangle_rows(triangle, frame.ambient, bits) for triangle in frame.triangles]
+    return [{"table_index": number, **row} for number, row in enumerate(rows)]
+
+
+class Normaliser:
+    """The normaliser's model: a unit vector so many clocks after its vector; a second request is a fault."""
+
+    def __init__(self, bits: int) -> None:
+        self._port = Field("vector", bits, lanes=3)
+        self.latency = 1
+        self.asked: list[Vec3] = []
+        self._left: int | None = None
+
+    def reset(self) -> None:
+        """Forgets what it was asked."""
+        self.asked, self._left = [], None
+
+    def ask(self, word: int) -> None:
+        """Takes a vector in this clock."""
+        same("clocks to the answer of an earlier request", None, self._left)
+        x, y, z = (int(lane) for lane in split((self._port,), [word])[self._port.name][:, 0])
+        self.asked.append((x, y, z))
+        self._left = self.latency
+
+    def answer(self) -> int | None:
+        """The unit vector of the next clock, if any."""
+        if self._left is None:
+            return None
+        self._left -= 1
+        if self._left:
+            return None
+        self._left = None
+        return _packed(_direction(self.asked[-1], self._port.width), _FORMATS.unit.width)
 
 
 class ObjectSetupBench(Block):
-    """Starts the set-up and reads its results."""
+    """The set-up between a scene memory and a normaliser; its rows, its requests and its marks."""
 
-    def __init__(self, dut: Any) -> None:
-        super().__init__(dut, idle=("start",))
+    def __init__(self, dut: Any, parameters: Mapping[str, int], generator: Generator) -> None:
+        super().__init__(dut, idle=("start", "unit_valid"))
+        self.bits = parameters["WIDE_W"]
+        self.most = tuple(1 << parameters[f"{kind}_INDEX_W"] for kind in ("SPHERE", "TRIANGLE"))
+        self._generator = generator
+        self._normaliser = Normaliser(self.bits)
+        self._records: Mapping[str, list[int]] = {}
+        self._running = False
+        self.rows: list[Row] = []
 
     @classmethod
     async def create(cls, dut: Any) -> "ObjectSetupBench":
         """A bench whose clock runs and whose block has been reset."""
-        bench = cls(dut)
-        await bench.reset()
+        run = context.read()
+        bench = cls(dut, run.parameters, run.generator(0))
+        await bench.restart()
         return bench
 
-    async def start(self, drawn: Drawn) -> None:
-        """One clock of start with these operands."""
-        self.set_fields(_INPUTS, _operands(drawn))
-        await self.clock(start=1)
-        self.set(start=0)
+    async def restart(self) -> None:
+        """Reset, of the normaliser too."""
+        self._normaliser.reset()
+        self._running = False
+        self._scramble()
+        await self.reset()
 
-    def compare(self, drawn: Drawn) -> None:
-        """Results against their definitions."""
-        got = (
-            int(self.read_field(_RADIUS_SQ)[0]),
-            int(self.read_field(_INV_RADIUS)[0]),
-            [int(lane) for lane in self.read_field(_AMBIENT)[:, 0]],
+    def _junk(self, bits: int) -> int:
+        return int.from_bytes(self._generator.bytes(-(-bits // 8)), "big") & ((1 << bits) - 1)
+
+    def _scramble(self) -> None:
+        """What holds still during a set-up may be anything outside of it."""
+        self.set(
+            spheres=self._junk(_COUNT_W),
+            triangles=self._junk(_COUNT_W),
+            ambient_light=self._junk(3 * _SLOT_W),
+            **{port: self._junk(slots * _SLOT_W) for port, slots in _SLOTS.items()},
         )
-        same(f"constants of {drawn}", _constants(drawn), got)
 
-    async def run(self, drawn: Drawn, rest: int = 0) -> None:
-        """One set-up: done comes once and on time, results stand through ``rest`` more clocks."""
-        await self.start(drawn)
-        same("clocks from start to done", _LATENCY, await self.until("done", 4 * _LATENCY))
-        self.compare(drawn)
+    async def step(self) -> bool:
+        """One clock of everything; whether the set-up is done in it."""
+        answer = self._normaliser.answer()
+        self.set(unit_valid=int(answer is not None), unit=self._junk(_SHAPE_W) if answer is None else answer)
+        await self.clock()
+        if self.read("vector_valid"):
+            self._normaliser.ask(self.read("vector"))
+        if self.read("table_valid"):
+            self.rows.append({name: self.read(name) for name in _ROW})
+        else:
+            same("degenerate without a row", 0, self.read("degenerate"))
+        if self._running:
+            self._memory()
+        return bool(self.read("done"))
+
+    def _memory(self) -> None:
+        """The records, in the next clock, of the indices of this one."""
+        for port, slots in _SLOTS.items():
+            index, records = self.read(f"{port}_index"), self._records[port]
+            self.set(**{port: records[index] if index < len(records) else self._junk(slots * _SLOT_W)})
+
+    async def start(self, frame: Frame) -> None:
+        """One clock of start with this frame."""
+        self._records = frame.records()
+        self._normaliser.latency = frame.normaliser
+        self._normaliser.asked, self.rows = [], []
+        self.set(
+            spheres=len(frame.spheres),
+            triangles=len(frame.triangles),
+            ambient_light=_packed(frame.ambient),
+            start=1,
+        )
+        same("done in the clock of start", False, await self.step())
+        self.set(start=0)
+        self._running = True
+
+    async def run(self, frame: Frame, rest: int = 0) -> None:
+        """One set-up: its rows, its requests, its time; marks stand through ``rest`` more clocks."""
+        await self.start(frame)
+        clocks = 1
+        while not await self.step():
+            clocks += 1
+            assert clocks <= frame.clocks, f"not done {clocks} clocks after start, {frame.clocks} promised"
+        same("clocks from start to done", frame.clocks, clocks)
+        self._compare(frame)
+        self._running = False
+        self._scramble()
         for _ in range(rest):
-            await self.clock()
-            same("done in the clocks after it", 0, self.read("done"))
-            self.compare(drawn)
+            same("done in the clocks after it", False, await self.step())
+            self._marks(frame)
+        same("rows", len(frame.spheres) + len(frame.triangles), len(self.rows))
+
+    def _compare(self, frame: Frame) -> None:
+        wanted = expected(frame, self.bits)
+        same("numbers of the rows", list(range(len(wanted))), [row["table_index"] for row in self.rows])
+        for row, got in zip(wanted, self.rows, strict=True):
+            for name, value in row.items():
+                same(f"{name} of object {row['table_index']}", hex(value), hex(got[name]))
+        same("vectors asked for", [cross(triangle) for triangle in frame.triangles], self._normaliser.asked)
+        self._marks(frame)
+
+    def _marks(self, frame: Frame) -> None:
+        held: list[Sphere | Triangle] = [*frame.spheres, *frame.triangles]
+        found = [item.material for item in held]
+        same("reflects", any(any(m.reflection) for m in found), bool(self.read("reflects")))
+        same("transmits", any(any(m.transparency) for m in found), bool(self.read("transmits")))
 
 
-def _drawn() -> st.SearchStrategy[Drawn]:
-    radius = st.integers(1, _FORMATS.radius.max)
-    return st.tuples(radius, vectors(_FORMATS.coeff), vectors(_FORMATS.coeff))
+def _clamped(vector: Sequence[int]) -> Vec3:
+    x, y, z = (min(max(component, BOOK.min), BOOK.max) for component in vector)
+    return (x, y, z)
+
+
+def _flat_triangles() -> st.SearchStrategy[Triangle]:
+    """Vertices on one line, or one step beside it."""
+    small = st.integers(-200, 200)
+    step = st.sampled_from([0, 0, 0, 1, -1])
+
+    def build(material: Material, p: Vec3, d: Vec3, places: tuple[int, int], off: Vec3) -> Triangle:
+        p1, p2 = (_clamped([a + k * b for a, b in zip(p, d, strict=True)]) for k in places)
+        return Triangle(material, (p, p1, _clamped([a + b for a, b in zip(p2, off, strict=True)])))
+
+    direction, offset = st.tuples(small, small, small), st.tuples(step, step, step)
+    return st.builds(build, _materials(), vectors(BOOK), direction, st.tuples(small, small), offset)
+
+
+def _materials() -> st.SearchStrategy[Material]:
+    """Materials, often without a mirror, without glass, or with one channel of it."""
+    part = st.sampled_from([BLACK, BLACK, BLACK, (1, 0, 0), (0, 1, 0), (0, 0, 1)])
+    plain = st.builds(
+        lambda material, mirror, glass: replace(material, reflection=mirror, transparency=glass),
+        materials(),
+        part,
+        part,
+    )
+    return plain | materials()
+
+
+def _frames(most: Sequence[int], objects: tuple[int, int] = (3, 4)) -> st.SearchStrategy[Frame]:
+    def built(items: st.SearchStrategy[Any], most: int) -> st.SearchStrategy[tuple[Any, ...]]:
+        return st.lists(items, max_size=most).map(tuple)
+
+    sphere = st.builds(Sphere, _materials(), vectors(BOOK), st.integers(1, RADIUS.max)) | spheres()
+    triangle = _flat_triangles() | _flat_triangles() | triangles()
+    limits = [min(pair) for pair in zip(most, objects, strict=True)]
+    return st.builds(
+        Frame,
+        vectors(COLOUR),
+        built(sphere, limits[0]),
+        built(triangle, limits[1]),
+        st.integers(1, 60),
+    )
+
+
+@cocotb.test()
+async def rows_of_every_frame_are_exact_and_on_time(dut: Any) -> None:
+    """Drawn frames, empty ones too, one set-up behind the other without a reset between them."""
+    bench = await ObjectSetupBench.create(dut)
+
+    async def example(first: Frame, rest: int, second: Frame) -> None:
+        await bench.restart()
+        await bench.run(first, rest)
+        await bench.run(second, 2)
+
+    frames = _frames(bench.most)
+    await holds(context.read(), example, frames, st.integers(0, 5), frames, cost=2)
 
 
 @cocotb.test()
 async def constants_of_every_radius_are_exact_and_floored(dut: Any) -> None:
-    """All 31 radii."""
+    """All 31 radii, as many at a time as the index holds."""
     bench = await ObjectSetupBench.create(dut)
     one = _FORMATS.coeff.one
-    for radius in range(1, _FORMATS.radius.max + 1):
-        await bench.run((radius, (one, one // 2, 0), (one, one + 1, one)))
+    material = Material((one, one + 1, COLOUR.max), BLACK, BLACK)
+    radii = range(1, RADIUS.max + 1)
+    for first in range(0, len(radii), bench.most[0]):
+        held = tuple(Sphere(material, (radius, 0, 1), radius) for radius in radii[first:][: bench.most[0]])
+        await bench.run(Frame((one, one // 2, COLOUR.max), held, (), 1))
 
 
 @cocotb.test()
-async def ambient_term_is_the_floored_product_and_saturates(dut: Any) -> None:
-    """Drawn lights and coefficients; results stand until the next start, which is as exact."""
+async def triangles_of_every_orientation_have_the_exact_product(dut: Any) -> None:
+    """Corners of the range, where differences and products are longest, and areas of one step."""
+    bench = await ObjectSetupBench.create(dut)
+    material = Material(BLACK, BLACK, BLACK)
+    ends = (BOOK.min, BOOK.max)
+    corners = [(x, y, z) for x in ends for y in ends for z in ends]
+    near: list[Vec3] = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    for places in (corners[:4], corners[4:], corners[::2], near):
+        for p0 in places:
+            held = tuple(Triangle(material, (p0, p1, p2)) for p1 in places for p2 in places)
+            for first in range(0, len(held), bench.most[1]):
+                await bench.run(Frame(BLACK, (), held[first:][: bench.most[1]], 1))
+
+
+@cocotb.test()
+async def rows_are_those_of_the_model(dut: Any) -> None:
+    """The model of the set-up, which the model of the core uses, against the same rows."""
     bench = await ObjectSetupBench.create(dut)
 
-    async def example(first: Drawn, rest: int, second: Drawn) -> None:
-        await bench.reset()
-        await bench.run(first, rest)
-        await bench.run(second)
+    async def example(frame: Frame) -> None:
+        await bench.restart()
+        await bench.run(frame)
+        light = _column(frame.ambient)
+        for sphere, row in zip(frame.spheres, bench.rows, strict=False):
+            radius = np.array([sphere.radius], dtype=np.int64)
+            found = object_setup(radius, light, _column(sphere.material.ambient), _FORMATS)
+            same("radius squared", int(found.radius_sq[0]), _part(row["table_geometry"], 12))
+            same("1 / radius", int(found.inv_radius[0]), _part(row["table_surface"], 3))
+            same("ambient term", _lanes(found.ambient, _FORMATS.shade.width), _ambient_of(row))
+        for triangle, row in zip(frame.triangles, bench.rows[len(frame.spheres) :], strict=True):
+            p0, p1, p2 = (_column(place) for place in triangle.vertices)
+            made = triangle_setup((p0, p1, p2), light, _column(triangle.material.ambient), _FORMATS)
+            normal = _lanes(made.normal, _FORMATS.unit.width)
+            same("normal that tests use", normal, _part(row["table_geometry"], 12))
+            same("normal that shading uses", normal, _part(row["table_surface"], 3))
+            same("degenerate", int(made.degenerate[0]), row["degenerate"])
+            same("ambient term", _lanes(made.ambient, _FORMATS.shade.width), _ambient_of(row))
 
-    await holds(context.read(), example, _drawn(), st.integers(0, 5), _drawn())
+    await holds(context.read(), example, _frames(bench.most), cost=2)
+
+
+def _column(vector: Vec3) -> Raw:
+    return np.array(vector, dtype=np.int64).reshape(3, 1)
+
+
+def _lanes(column: Raw, width: int) -> int:
+    return _packed([int(lane) for lane in column[:, 0]], width)
+
+
+def _part(row: int, slots: int) -> int:
+    """The shape above so many slots."""
+    return row >> slots * _SLOT_W & ((1 << _SHAPE_W) - 1)
+
+
+def _ambient_of(row: Row) -> int:
+    return row["table_material"] >> 12 * _SLOT_W
+
+
+@cocotb.test()
+async def frames_of_as_many_objects_as_the_indices_hold(dut: Any) -> None:
+    """Every sphere and triangle another one, on counters that are full."""
+    bench = await ObjectSetupBench.create(dut)
+    full = [min(most, (1 << _COUNT_W) - 1) for most in bench.most]
+    colour = [Material((number, 1, 2), BLACK, BLACK, index=number % 16) for number in range(max(full))]
+    held = tuple(Sphere(colour[k], (k, -k, 0), 1 + k % RADIUS.max) for k in range(full[0]))
+    flat = tuple(Triangle(colour[k], ((0, 0, 0), (k, 1, 0), (0, k, 2))) for k in range(full[1]))
+    await bench.run(Frame((COLOUR.one,) * 3, held, flat, 5))
 
 
 @cocotb.test()
 async def reset_abandons_a_set_up_and_the_next_one_is_exact(dut: Any) -> None:
-    """Reset at a drawn clock of the work: no done comes of it."""
+    """Reset at a drawn clock of the work: no row and no done comes of it."""
     bench = await ObjectSetupBench.create(dut)
 
-    async def example(first: Drawn, wait: int, quiet: int, second: Drawn) -> None:
-        await bench.reset()
+    async def example(first: Frame, wait: int, quiet: int, second: Frame) -> None:
+        await bench.restart()
         await bench.start(first)
-        await bench.clocks(wait)
-        await bench.reset()
+        for _ in range(min(wait, first.clocks - 1)):
+            await bench.step()
+        await bench.restart()
+        bench.rows = []
         for _ in range(quiet):
-            await bench.clock()
-            same("done of a set-up that was reset", 0, bench.read("done"))
+            same("done of a set-up that was reset", False, await bench.step())
+        same("rows of a set-up that was reset", [], bench.rows)
         await bench.run(second)
 
-    idle = st.integers(0, 2 * _LATENCY)
-    await holds(context.read(), example, _drawn(), st.integers(0, _LATENCY), idle, _drawn())
+    frames = _frames(bench.most)
+    await holds(context.read(), example, frames, st.integers(0, 150), st.integers(0, 80), frames, cost=2)

@@ -13,23 +13,32 @@ from verif.env import context
 from verif.env.block import Block, holds, same
 
 _SLOT_W = formats(Knobs()).coord.width
-_SLOTS = {Record.CAMERA: 9, Record.LIGHT: 6, Record.SPHERE: SPHERE_SLOTS, Record.TAIL: 6}
+_SLOTS = {
+    Record.CAMERA: 9,
+    Record.LIGHT: 6,
+    Record.SPHERE: SPHERE_SLOTS,
+    Record.TRIANGLE: RECORD_SLOTS,
+    Record.TAIL: 6,
+}
+_PORTS = {Record.LIGHT: "light", Record.SPHERE: "sphere", Record.TRIANGLE: "triangle"}
+"""Records of which a frame has many, and the port that reads one of them."""
 _KINDS = 8
+_INDICES = 256
 
 Key = tuple[Record, int]
 
 
 @dataclass(frozen=True)
 class Clock:
-    """Inputs of one clock. Written is a record or, with `write` low, something to be ignored."""
+    """Inputs of one clock. Written is a record or, with `write` low, something to be ignored; read is one
+    record of each kind, by its index."""
 
     write: bool
     kind: int
     index: int
     record: int
     swap: bool
-    light: int
-    sphere: int
+    reads: Mapping[Record, int]
 
 
 class Banks:
@@ -51,7 +60,7 @@ class Banks:
         """The end of a clock: a write goes to the other bank, then they may swap."""
         if inputs.write and inputs.kind in _SLOTS:
             kind = Record(inputs.kind)
-            index = inputs.index if kind in (Record.LIGHT, Record.SPHERE) else 0
+            index = inputs.index if kind in _PORTS else 0
             value = inputs.record & ((1 << _SLOTS[kind] * _SLOT_W) - 1)
             self._banks[1 - self._drawn][kind, index] = value
         if inputs.swap:
@@ -59,57 +68,61 @@ class Banks:
 
 
 class MemoryBench(Block):
-    """Drives a clock and compares all four outputs with the banks."""
+    """Drives a clock and compares all outputs with the banks."""
 
     def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
         super().__init__(dut, idle=("write_valid", "swap"))
-        self.lights, self.spheres = parameters["LIGHTS"], parameters["SPHERES"]
+        self.capacity = {kind: parameters[f"{kind.name}S"] for kind in _PORTS}
         self._banks = Banks()
-        self._light: int | None = None
-        self._sphere: int | None = None
+        self._read: dict[Record, int | None] = {}
 
     async def restart(self) -> None:
         """Reset in the middle of anything."""
         await self.reset()
         self._banks.reset()
-        self._light = self._sphere = None
+        self._read = {}
 
     def _compare(self, name: str, expected: int | None) -> None:
         if expected is not None:
             same(f"{name} at clock {self.now}", hex(expected), hex(self.read(name)))
 
     async def step(self, inputs: Clock) -> None:
-        """One clock: the frame drawn is what it was, light and sphere are those of the clock before."""
+        """One clock: the frame drawn is what it was, the records read are those of the clock before."""
         await self.clock(
             write_valid=int(inputs.write),
             write_kind=inputs.kind,
             write_index=inputs.index,
             write_record=inputs.record,
             swap=int(inputs.swap),
-            light_index=inputs.light,
-            sphere_index=inputs.sphere,
+            **{f"{port}_index": inputs.reads[kind] for kind, port in _PORTS.items()},
         )
         self._compare("camera", self._banks.drawn(Record.CAMERA))
         self._compare("tail", self._banks.drawn(Record.TAIL))
-        self._compare("light", self._light)
-        self._compare("sphere", self._sphere)
-        self._light = self._banks.drawn(Record.LIGHT, inputs.light)
-        self._sphere = self._banks.drawn(Record.SPHERE, inputs.sphere)
+        for kind, port in _PORTS.items():
+            self._compare(port, self._read.get(kind))
+        self._read = {kind: self._banks.drawn(kind, index) for kind, index in inputs.reads.items()}
         self._banks.clock(inputs)
 
 
 def _clocks(bench: MemoryBench) -> st.SearchStrategy[list[Clock]]:
-    kind = st.sampled_from([int(kind) for kind in _SLOTS]) | st.integers(0, _KINDS - 1)
-    most = min(bench.lights, bench.spheres)
+    index = st.integers(0, _INDICES - 1)
+
+    def within(kind: int, number: int) -> int:
+        """A frame that is read has no record beyond the capacity."""
+        return number % bench.capacity.get(Record(kind), _INDICES) if kind in _SLOTS else number
+
+    def build(write: bool, kind: int, number: int, record: int, swap: int, reads: tuple[int, ...]) -> Clock:
+        indices = {kind: within(kind, read) for kind, read in zip(_PORTS, reads, strict=True)}
+        return Clock(write, kind, within(kind, number), record, swap == 3, indices)
+
     clock = st.builds(
-        Clock,
-        write=st.booleans(),
-        kind=kind,
-        index=st.integers(0, most - 1),
-        record=st.integers(0, (1 << RECORD_SLOTS * _SLOT_W) - 1),
-        swap=st.integers(0, 3).map(lambda drawn: drawn == 3),
-        light=st.integers(0, bench.lights - 1),
-        sphere=st.integers(0, bench.spheres - 1),
+        build,
+        st.booleans(),
+        st.sampled_from([int(kind) for kind in _SLOTS]) | st.integers(0, _KINDS - 1),
+        index,
+        st.integers(0, (1 << RECORD_SLOTS * _SLOT_W) - 1),
+        st.integers(0, 3),
+        st.tuples(index, index, index),
     )
     return st.integers(1, 40).flatmap(lambda size: st.lists(clock, min_size=size, max_size=size))
 
@@ -139,16 +152,15 @@ async def every_record_of_a_frame_comes_back_after_the_swap(dut: Any) -> None:
     bench = MemoryBench(dut, run.parameters)
     await bench.restart()
     keys = [(Record.CAMERA, 0), (Record.TAIL, 0)]
-    keys += [(Record.LIGHT, index) for index in range(bench.lights)]
-    keys += [(Record.SPHERE, index) for index in range(bench.spheres)]
+    keys += [(kind, index) for kind, size in bench.capacity.items() for index in range(size)]
     generator = run.generator(0)
-    quiet = Clock(False, 0, 0, 0, False, 0, 0)
+    first = dict.fromkeys(_PORTS, 0)
     for _ in range(20):
         for kind, index in keys:
             record = int.from_bytes(generator.bytes(RECORD_SLOTS * _SLOT_W // 8), "big")
-            await bench.step(Clock(True, kind, index, record, False, 0, 0))
-        await bench.step(Clock(False, 0, 0, 0, True, 0, 0))
-        for index in range(max(bench.lights, bench.spheres)):
-            light, sphere = index % bench.lights, index % bench.spheres
-            await bench.step(Clock(False, 0, 0, 0, False, light, sphere))
-        await bench.step(quiet)
+            await bench.step(Clock(True, kind, index, record, False, first))
+        await bench.step(Clock(False, 0, 0, 0, True, first))
+        for index in range(max(bench.capacity.values())):
+            reads = {kind: index % size for kind, size in bench.capacity.items()}
+            await bench.step(Clock(False, 0, 0, 0, False, reads))
+        await bench.step(Clock(False, 0, 0, 0, False, first))

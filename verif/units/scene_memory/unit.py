@@ -1,11 +1,11 @@
-"""The scene memory: this slice's capacity, and the book's."""
+"""The scene memory: one object of each kind, and the book's capacity."""
 
 from verif.env.unit import Break, Unit
 
 UNIT = Unit(
     name="scene_memory",
-    parameters={"LIGHTS": 1, "SPHERES": 1},
-    sets={"book": {"LIGHTS": 3, "SPHERES": 3}},
+    parameters={"LIGHTS": 1, "SPHERES": 1, "TRIANGLES": 1},
+    sets={"book": {"LIGHTS": 3, "SPHERES": 3, "TRIANGLES": 15}},
     breaks=(
         Break(
             "scene/scene_memory.v", "cameras[!bank_reg] <= write_record", "cameras[bank_reg] <= write_record"
@@ -17,6 +17,17 @@ UNIT = Unit(
             "spheres[{!bank_reg, write_index[SPHERE_INDEX_W-1:0]}]",
             "spheres[{!bank_reg, write_index[SPHERE_INDEX_W-1:0] & 1'b1}]",
             set="book",
+        ),
+        Break(
+            "scene/scene_memory.v",
+            "triangle_reg <= triangles[{bank_reg, triangle_index}];",
+            "triangle_reg <= triangles[{bank_reg, sphere_index}];",
+            set="book",
+        ),
+        Break(
+            "scene/scene_memory.v",
+            "write_kind == `RT_RECORD_TRIANGLE)",
+            "write_kind >= `RT_RECORD_TRIANGLE)",
         ),
     ),
 )
