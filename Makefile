@@ -36,9 +36,9 @@ $(READY): requirements.txt
 	@$(BIN)/pip install --quiet --disable-pip-version-check --no-cache-dir --require-hashes -r requirements.txt
 	@touch $@
 
-render: $(READY) ## draws a scene through the RTL: [SCENE=file] [SIZE=WxH] [OUT=dir] [SIM=icarus] [BUILD=book] [PIXEL=x,y]
+render: $(READY) ## draws a scene through the RTL: [SCENE=file] [SIZE=WxH] [OUT=dir] [SIM=icarus] [BUILD=wide] [DEPTH=n] [PIXEL=x,y]
 	@$(BIN)/python -m verif.render $(call option,--scene,SCENE) $(call option,--size,SIZE) $(call option,--out,OUT) \
-		$(call option,--sim,SIM) $(call option,--build,BUILD) $(call option,--pixel,PIXEL)
+		$(call option,--sim,SIM) $(call option,--build,BUILD) $(call option,--depth,DEPTH) $(call option,--pixel,PIXEL)
 
 test: lint ## runs every test
 	@$(BIN)/python -m pytest -n $(JOBS)

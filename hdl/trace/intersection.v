@@ -451,8 +451,8 @@ module intersection #(
     // {x, y, z} turned so that the longest component of the direction comes last
     function [3*UNIT_W-1:0] turned;
         input [3*UNIT_W-1:0] vector;
-        input [1:0] last;
-        case (last)
+        input [1:0] longest;
+        case (longest)
             2'd2: turned = {vector[0+:2*UNIT_W], vector[2*UNIT_W+:UNIT_W]};
             2'd1: turned = {vector[0+:UNIT_W], vector[UNIT_W+:2*UNIT_W]};
             default: turned = vector;

@@ -74,8 +74,8 @@ class Objects:
     """All objects: shapes by number; tables of shape (3, objects) or (objects,), raw.
 
     triangle: it is one. center: of a sphere, in `coord`. inv_radius: of a sphere. normal: of a triangle.
-    ambient: ambient light times k_ambient, in `shade`. diffuse, specular, reflection, transparency in `coeff`;
-    index: code of the refractive index. degenerate: triangles without area.
+    ambient: ambient light times k_ambient, in `shade`. diffuse, specular, reflection, transparency: in
+    `coeff`. index: code of the refractive index. degenerate: triangles without area.
     """
 
     shapes: tuple[Solid | Flat, ...]

@@ -44,8 +44,8 @@ class Counts:
 
 @dataclass(frozen=True)
 class Rendering:
-    """A picture: ``rgb`` uint8 (h, w, 3), ``hit`` int16 (h, w) object numbers or MISS of the primary rays, and
-    what was counted."""
+    """A picture: ``rgb`` uint8 (h, w, 3), ``hit`` int16 (h, w) object numbers or MISS of the primary rays,
+    what was counted, and the number of triangles without area."""
 
     rgb: NDArray[np.uint8]
     hit: NDArray[np.int16]
@@ -90,7 +90,12 @@ class _Rays:
 
 @dataclass(frozen=True)
 class Event:
-    """One thing that the core does for a pixel: a ray's hit or miss, a child, a term of the sum; raw values."""
+    """One thing that the core does for a pixel, with raw values.
+
+    hit: object, leaving, direction, point, normal. miss: direction. child: weight, direction. local: term
+    without light. light: colour, direction and limit of a shadow ray; left: what is left of the colour.
+    pixel: the sum. depth: of the ray, 0 where it is not said.
+    """
 
     kind: str
     depth: int
@@ -124,9 +129,7 @@ class _Tracer:
         for depth in range(1, self.registers.depth + 1):
             children: list[_Rays] = []
             for rays in levels:
-                found, tests = nearest(
-                    self.objects, rays.origin, rays.direction, rays.own, self.fmts
-                )
+                found, tests = nearest(self.objects, rays.origin, rays.direction, rays.own, self.fmts)
                 self.counts.tests += tests
                 if depth == 1:
                     first = found.number
@@ -138,9 +141,8 @@ class _Tracer:
             self.counts.secondary_rays += sum(rays.pixel.size for rays in levels)
         return first
 
-    def _add(self, pixel: Raw, term: Raw, depth: int) -> None:
+    def _add(self, pixel: Raw, term: Raw) -> None:
         """Rays of one batch belong to different pixels."""
-        self.watch("term", depth, (term,))
         total = self.sums[:, pixel] + term
         self.sums[:, pixel] = np.minimum(total, self.fmts.shade.max)
 
@@ -150,7 +152,13 @@ class _Tracer:
             behind = column(self.scene.background) << (fmts.shade.frac_bits - fmts.coeff.frac_bits)
             weight = np.broadcast_to(rays.weight, rays.direction.shape)[:, missed]
             self.watch("miss", depth, (rays.direction[:, missed],))
-            self._add(rays.pixel[missed], self._weighted(behind, weight), depth)
+            self._local(rays.pixel[missed], behind, weight)
+
+    def _local(self, pixel: Raw, colour: Raw, weight: Raw) -> None:
+        """Adds the term that needs no light."""
+        local = self._weighted(colour, weight)
+        self.watch("local", 0, (local,))
+        self._add(pixel, local)
 
     def _weighted(self, colour: Raw, weight: Raw) -> Raw:
         shade = self.fmts.shade
@@ -177,22 +185,18 @@ class _Tracer:
         self.watch("hit", depth, (number, hit.leaving, rays.direction, point, normal))
         own = np.where(triangle, number, MISS)
         here = _Rays(rays.pixel, point, rays.direction, rays.weight, own)
-        self._add(here.pixel, self._weighted(objects.ambient[:, number], here.weight), depth)
+        self._local(here.pixel, objects.ambient[:, number], here.weight)
         for light in self.scene.lights:
-            self._light(light, here, number, normal, mirrored, depth)
+            self._light(light, here, number, normal, mirrored)
         if depth == self.registers.depth:
             return []
-        refracted = refract(
-            rays.direction, normal, mirrored, cosine, objects.index[number], leaving, fmts
-        )
+        refracted = refract(rays.direction, normal, mirrored, cosine, objects.index[number], leaving, fmts)
         return [
             *self._child(here, mirrored, objects.reflection[:, number], depth),
             *self._child(here, refracted.transmitted, objects.transparency[:, number], depth),
         ]
 
-    def _light(
-        self, light: Light, here: _Rays, number: Raw, normal: Raw, mirrored: Raw, depth: int
-    ) -> None:
+    def _light(self, light: Light, here: _Rays, number: Raw, normal: Raw, mirrored: Raw) -> None:
         """Adds what one light adds to hits."""
         objects, fmts = self.objects, self.fmts
         way = light_vector(here.origin, column(light.position), fmts)
@@ -222,7 +226,9 @@ class _Tracer:
             fmts,
         )
         self.counts.tests += tests
-        self._add(here.pixel[lit], left, depth)
+        self.watch("light", 0, (colour[:, lit], way.direction[:, lit], way.limit[lit]))
+        self.watch("left", 0, (left,))
+        self._add(here.pixel[lit], left)
 
     def _child(self, here: _Rays, direction: Raw, share: Raw, depth: int) -> list[_Rays]:
         """The secondary rays of one kind: where a channel of the weight is not negligible."""
@@ -297,5 +303,7 @@ def trace_pixel(scene: Scene, size: Registers, fmts: Formats, x: int, y: int) ->
         flat = [int(number) for value in values for number in value[..., 0].ravel()]
         events.append(Event(kind, depth, tuple(flat)))
 
-    frame.tracer(1, Counts(), watch).trace(frame.primary(np.array([x + size.width * y])))
+    tracer = frame.tracer(1, Counts(), watch)
+    tracer.trace(frame.primary(np.array([x + size.width * y])))
+    watch("pixel", 0, (tracer.sums,))
     return events

@@ -23,6 +23,7 @@ class SphereHit(NamedTuple):
     along: Raw
     discriminant: Raw
 
+
 def sphere_intersect(
     origin: Raw, direction: Raw, center: Raw, radius_sq: Raw, limit: Raw | int, fmts: Formats
 ) -> SphereHit:

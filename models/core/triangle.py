@@ -1,10 +1,11 @@
 """Ray and triangle: the triangle's half of ``hdl/trace/intersection.v`` (book 8.2.2).
 
-Inside or outside is decided in the plane across the ray, as Woop, Benthin and Wald do (Watertight Ray/Triangle
-Intersection, 2013), without their division: each corner is seen from the ray's origin, rounded to a mantissa of
-its own exponent, and moved along the ray onto that plane. What becomes of a corner depends on the ray and the
-corner alone, and the sign of an edge's area is exact for the corners so moved. So triangles that share edges or
-corners leave no gap. The exponents do not matter: both products of an edge have the same one.
+Inside or outside is decided in the plane across the ray, as Woop, Benthin and Wald do (Watertight
+Ray/Triangle Intersection, 2013), without their division: each corner is seen from the ray's origin, rounded
+to a mantissa of its own exponent, and moved along the ray onto that plane. What becomes of a corner depends
+on the ray and the corner alone, and the sign of an edge's area is exact for the corners so moved. So
+triangles that share edges or corners leave no gap. The exponents do not matter: both products of an edge have
+the same one.
 """
 
 from typing import NamedTuple
@@ -69,7 +70,7 @@ def _seen(corner: Raw, origin: Raw, fmts: Formats) -> tuple[Raw, Raw]:
 
 
 def _inside(seen: list[Raw], direction: Raw, fmts: Formats) -> NDArray[np.bool_]:
-    """Whether the origin of the plane across the ray lies within the corners moved onto it, edges included."""
+    """Whether the plane's origin, where the ray is, lies within the corners moved onto it, edges included."""
     along = dominant_axis(direction)
     places = np.arange(direction.shape[1])
     axes = [(along + turn) % 3 for turn in (1, 2)]
@@ -81,17 +82,15 @@ def _inside(seen: list[Raw], direction: Raw, fmts: Formats) -> NDArray[np.bool_]
         behind = corner[along, places]
         moved.append(
             [
-                resize(
-                    depth * corner[axis, places] - direction[axis, places] * behind, product, fmts.unit
-                )
+                resize(depth * corner[axis, places] - direction[axis, places] * behind, product, fmts.unit)
                 for axis in axes
             ]
         )
     (ax, ay), (bx, by), (cx, cy) = moved
     edges = (ax * by - ay * bx, bx * cy - by * cx, cx * ay - cy * ax)
     least, most = np.minimum.reduce(edges), np.maximum.reduce(edges)
-    # Both hold where all areas are 0: seen from here the triangle is a line or a point, and it is not hit. Its
-    # neighbours have the same edges, so that leaves no gap either.
+    # Both hold where all areas are 0: seen from here the triangle is a line or a point, and it is not hit.
+    # Its neighbours have the same edges, so that leaves no gap either.
     return np.asarray((least >= 0) ^ (most <= 0))
 
 
@@ -109,7 +108,7 @@ def _distance(behind: Raw, shift: Raw, facing: Raw, fmts: Formats) -> tuple[Raw,
     plane = fmts.plane.saturate(plane)
     across = fmts.facing.resize(facing, 2 * fmts.unit.frac_bits)
     far = plane >= (across << DISTANCE_INT)
-    quotient = truncating_divide(
-        np.where(far, 0, plane), np.where(far, 1, across), fmts.point.frac_bits, bits=fmts.plane.width + fmts.point.frac_bits
-    )
+    frac = fmts.point.frac_bits
+    numerator, denominator = np.where(far, 0, plane), np.where(far, 1, across)
+    quotient = truncating_divide(numerator, denominator, frac, bits=fmts.plane.width + frac)
     return quotient, np.asarray(far)

@@ -2,29 +2,34 @@
 //
 // core_tb: the core with what its benches watch it through.
 //
-// The clock runs here and the pixels go into the file pixels.bin, 32 bits each {object, r, g, b}, so
-// that the simulator calls Python where something happens and not in every clock. `event_flip`
-// flips when a frame is done or refused, or the probe is complete; the other outputs then say
-// which, and the file is up to date.
+// The clock runs here and the pixels go into the file pixels.bin, two words of 32 bits each, the
+// object and {0, r, g, b}, so that the simulator calls Python where something happens and not in
+// every clock. `event_flip` flips when a frame is done or refused, or the probed pixel is complete; the
+// other outputs then say which, and the files are up to date.
 //
 // Ports beside the core's
 //   clk               the clock, 10 ns; an input where RT_CLOCK_FROM_OUTSIDE is defined, for benches
 //                     that look at every clock: Verilator shows a clock of its own too late, when
 //                     the registers have changed already
-//   object            (in the file) number of the object that the pixel's primary ray hit, 255 for
-//                     none; seen at the intersection, kept by pixel slot
+//   object            (in the file) number of the object that the pixel's primary ray hit, all ones
+//                     for none; seen at the shader, kept by pixel slot
 //   pixels            pixels in the file
 //   unknown           a pixel since reset had an X or a Z in it
-//   cycles            clocks from the first word of the frame to its last pixel
-//   probe_x, probe_y  a pixel whose values are kept at each stage, while probe_on is high
-//   probe             the values; see probe.py for the fields. probe_done: all of them are there
+//   latency           clocks from the first word of the frame to its last pixel
+//   probe_x, probe_y  a pixel all of whose events are written to probe.txt, while probe_on is high;
+//                     see probe.py for the lines. probe_done: the pixel is complete
 
 `default_nettype none
 `include "raytracer.vh"
 
 module core_tb #(
-    parameter PIXELS_IN_FLIGHT = 256,
-    parameter SIZE_W           = 12
+    parameter UNITS            = 2,
+    parameter PIXELS_IN_FLIGHT = 512,
+    parameter LEVEL_ROOM       = 256,
+    parameter SIZE_W           = 12,
+    parameter LIGHT_COUNT_W    = 2,
+    parameter SPHERE_COUNT_W   = 2,
+    parameter TRIANGLE_COUNT_W = 4
 ) (
 `ifdef RT_CLOCK_FROM_OUTSIDE
     input  wire                    clk,
@@ -36,6 +41,8 @@ module core_tb #(
     input  wire [      SIZE_W-1:0] height,
     input  wire [   `RT_TAN_W-1:0] tan_h,
     input  wire [   `RT_TAN_W-1:0] tan_v,
+    input  wire [             2:0] depth,
+    input  wire                    go,
     input  wire                    s_axis_frame_tvalid,
     output wire                    s_axis_frame_tready,
     input  wire [            31:0] s_axis_frame_tdata,
@@ -45,24 +52,29 @@ module core_tb #(
     output wire [            23:0] m_axis_video_tdata,
     output wire                    m_axis_video_tuser,
     output wire                    m_axis_video_tlast,
+    output wire                    frame_start,
     output wire                    frame_done,
     output wire                    frame_error,
     output wire [ `RT_FAULT_W-1:0] error_code,
     output wire                    busy,
+    output wire [            31:0] cycles,
+    output wire [            31:0] primary_rays,
+    output wire [            31:0] secondary_rays,
+    output wire [            31:0] shadow_rays,
+    output wire [            31:0] tests,
     output wire [            31:0] lights_at_point,
+    output wire [            31:0] degenerate,
     output reg                     event_flip,
     output reg                     event_done,
     output reg                     event_error,
     output reg  [ `RT_FAULT_W-1:0] event_code,
     output reg  [            31:0] pixels,
     output reg                     unknown,
-    output reg  [            31:0] cycles,
+    output reg  [            31:0] latency,
     input  wire                    probe_on,
     input  wire [      SIZE_W-1:0] probe_x,
     input  wire [      SIZE_W-1:0] probe_y,
-    output wire                    probe_done,
-    output wire [  3*`RT_SCREEN_W + 12*`RT_UNIT_W + 5*`RT_POINT_W + 3*`RT_OFFSET_W
-                  + `RT_HALF_CHORD_W + 6*`RT_SHADE_W + 3*`RT_CHANNEL_W + 3 - 1:0] probe
+    output wire                    probe_done
 );
 
 `ifndef RT_CLOCK_FROM_OUTSIDE
@@ -71,11 +83,16 @@ module core_tb #(
 `endif
 
     localparam SLOT_W = $clog2(PIXELS_IN_FLIGHT);
-    localparam [7:0] NO_OBJECT = 8'hff;
+    localparam [31:0] NO_OBJECT = 32'hffffffff;
 
     raytracer #(
+        .UNITS           (UNITS),
         .PIXELS_IN_FLIGHT(PIXELS_IN_FLIGHT),
-        .SIZE_W          (SIZE_W)
+        .LEVEL_ROOM      (LEVEL_ROOM),
+        .SIZE_W          (SIZE_W),
+        .LIGHT_COUNT_W   (LIGHT_COUNT_W),
+        .SPHERE_COUNT_W  (SPHERE_COUNT_W),
+        .TRIANGLE_COUNT_W(TRIANGLE_COUNT_W)
     ) dut (
         .clk                (clk),
         .rst                (rst),
@@ -83,6 +100,8 @@ module core_tb #(
         .height             (height),
         .tan_h              (tan_h),
         .tan_v              (tan_v),
+        .depth              (depth),
+        .go                 (go),
         .s_axis_frame_tvalid(s_axis_frame_tvalid),
         .s_axis_frame_tready(s_axis_frame_tready),
         .s_axis_frame_tdata (s_axis_frame_tdata),
@@ -92,45 +111,61 @@ module core_tb #(
         .m_axis_video_tdata (m_axis_video_tdata),
         .m_axis_video_tuser (m_axis_video_tuser),
         .m_axis_video_tlast (m_axis_video_tlast),
+        .frame_start        (frame_start),
         .frame_done         (frame_done),
         .frame_error        (frame_error),
         .error_code         (error_code),
         .busy               (busy),
-        .lights_at_point    (lights_at_point)
+        .cycles             (cycles),
+        .primary_rays       (primary_rays),
+        .secondary_rays     (secondary_rays),
+        .shadow_rays        (shadow_rays),
+        .tests              (tests),
+        .lights_at_point    (lights_at_point),
+        .degenerate         (degenerate)
     );
 
+    // ------------------------------------------------------------- pixels
     // Objects by slot; slots leave in the order 0, 1, 2, ... of each frame.
-    reg [7:0] objects[0:PIXELS_IN_FLIGHT-1];
+    reg [31:0] objects[0:PIXELS_IN_FLIGHT-1];
     reg [SLOT_W-1:0] out_slot;
     wire taken = m_axis_video_tvalid && m_axis_video_tready;
 
     always @(posedge clk) begin
-        if (dut.test_valid)
-            objects[dut.test_slot] <= dut.test_hit && dut.has_sphere_reg ? 8'd0 : NO_OBJECT;
+        if (dut.u_shader.at_valid && dut.u_shader.at_depth == 3'd1)
+            objects[dut.u_shader.at_slot] <=
+                dut.u_shader.at_hit ? 32'd0 + dut.u_shader.at_own[dut.OBJECT_W-1:0] : NO_OBJECT;
         if (dut.draw_start) out_slot <= {SLOT_W{1'b0}};
         else if (taken) out_slot <= out_slot + 1'b1;
     end
 
     integer file;
+    integer log;
     reg probe_told;
+    reg seen;
 
     initial begin
         file       = $fopen("pixels.bin", "wb");
+        log        = $fopen("probe.txt", "w");
         event_flip = 1'b0;
         pixels     = 32'd0;
         unknown    = 1'b0;
     end
 
-    wire [31:0] entry = {objects[out_slot], m_axis_video_tdata};
+    wire [31:0] object = objects[out_slot];
+    wire [31:0] entry = {8'd0, m_axis_video_tdata};
     wire told = frame_done || frame_error || probe_done && !probe_told;
 
     always @(posedge clk) begin
         if (!rst && taken) begin
-            $fwrite(file, "%u", entry);
+            $fwrite(file, "%u%u", object, entry);
             pixels <= pixels + 32'd1;
-            if (^entry === 1'bx) unknown <= 1'b1;
+            if (^entry === 1'bx || ^object === 1'bx) unknown <= 1'b1;
         end
-        if (!rst && told) $fflush(file);
+        if (!rst && told) begin
+            $fflush(file);
+            $fflush(log);
+        end
         if (rst) unknown <= 1'b0;
     end
 
@@ -158,41 +193,19 @@ module core_tb #(
         end
     end
 
-    always @(posedge clk) cycles <= drawing ? cycles + 32'd1 : 32'd1;
+    always @(posedge clk) latency <= drawing ? latency + 32'd1 : 32'd1;
 
-    // ------------------------------------------------------------- one pixel, stage by stage
+    // ------------------------------------------------------------- one pixel, event by event
     reg armed;
     reg [SLOT_W-1:0] slot;
-    reg seen;
     wire here = dut.u_rays.cast && dut.u_rays.x_reg == probe_x && dut.u_rays.y_reg == probe_y;
-
-    reg [3*`RT_SCREEN_W-1:0] screen;
-    reg [3*`RT_UNIT_W-1:0] direction;
-    reg hit;
-    reg leaving;
-    reg [`RT_POINT_W-1:0] distance;
-    reg [3*`RT_OFFSET_W-1:0] offset;
-    reg [`RT_HALF_CHORD_W-1:0] half_chord;
-    reg [3*`RT_POINT_W-1:0] point;
-    reg [3*`RT_UNIT_W-1:0] normal;
-    reg [3*`RT_UNIT_W-1:0] mirrored;
-    reg [3*`RT_UNIT_W-1:0] light;
-    reg [`RT_POINT_W-1:0] limit;
-    reg shadowed;
-    reg [3*`RT_SHADE_W-1:0] direct;
-    reg [3*`RT_SHADE_W-1:0] colour;
-    reg [3*`RT_CHANNEL_W-1:0] pixel;
-
-    wire at_screen = dut.cast_valid && dut.cast_slot == slot;
-    wire at_ray = dut.ray_valid && dut.ray_slot == slot;
-    wire at_test = dut.test_valid && dut.test_slot == slot;
-    wire at_surface = dut.u_shader.surface_valid && dut.u_shader.surface_ray[SLOT_W-1:0] == slot;
-    wire at_mirror = dut.u_shader.mirror_valid && dut.u_shader.mirror_ray[SLOT_W-1:0] == slot;
-    wire at_light = dut.u_shader.light_valid && dut.u_shader.light_ray[SLOT_W-1:0] == slot;
-    wire at_shadow = dut.u_shader.shadow_valid && dut.u_shader.shadow_ray[SLOT_W-1:0] == slot;
-    wire at_phong = dut.u_shader.phong_valid && dut.u_shader.phong_ray[SLOT_W-1:0] == slot;
-    wire at_lit = dut.u_shader.lit_valid && dut.u_shader.lit_tag == slot;
-    wire at_pixel = dut.pixel_valid && dut.pixel_slot == slot;
+    wire watched = armed && !seen;
+    wire at_ray = watched && dut.u_shader.at_valid && dut.u_shader.at_slot == slot
+               && dut.u_shader.at_step == 0;
+    wire at_child = watched && dut.child_valid && dut.more_slot == slot;
+    wire at_light = watched && dut.u_shader.u_lighting.end_valid
+                 && dut.u_shader.u_lighting.end_slot == slot;
+    wire at_pixel = watched && dut.sum_valid && dut.sum_slot == slot;
 
     always @(posedge clk) begin
         if (rst || !probe_on) begin
@@ -203,41 +216,40 @@ module core_tb #(
                 armed <= 1'b1;
                 slot  <= dut.slot;
             end
-            if (armed && at_pixel) seen <= 1'b1;
+            if (at_pixel) seen <= 1'b1;
         end
     end
 
-    // Stages are in order, so the first value that passes after arming is the pixel's.
     always @(posedge clk) begin
-        if (armed && !seen) begin
-            if (at_screen) screen <= dut.cast_direction;
-            if (at_ray) direction <= dut.ray_direction;
-            if (at_test) begin
-                hit        <= dut.test_hit && dut.has_sphere_reg;
-                leaving    <= dut.test_leaving;
-                distance   <= dut.unused_distance;
-                offset     <= dut.test_offset;
-                half_chord <= dut.test_half_chord;
-            end
-            if (at_surface) begin
-                point  <= dut.u_shader.surface_point;
-                normal <= dut.u_shader.surface_normal;
-            end
-            if (at_mirror) mirrored <= dut.u_shader.mirrored;
-            if (at_light) begin
-                light <= dut.u_shader.light_direction;
-                limit <= dut.u_shader.light_limit;
-            end
-            if (at_shadow) shadowed <= dut.u_shader.shadowed;
-            if (at_phong) direct <= dut.u_shader.direct;
-            if (at_lit) colour <= dut.u_shader.lit;
-            if (at_pixel) pixel <= dut.pixel;
-        end
+        if (at_ray && dut.u_shader.at_hit)
+            $fdisplay(log, "hit %0d %h", dut.u_shader.at_depth, {
+                32'd0 + dut.u_shader.at_own[dut.OBJECT_W-1:0], dut.u_shader.at_leaving,
+                dut.u_shader.at_direction, dut.u_shader.at_point, dut.u_shader.at_normal});
+        if (at_ray && !dut.u_shader.at_hit)
+            $fdisplay(log, "miss %0d %h", dut.u_shader.at_depth, dut.u_shader.at_direction);
+        if (at_child)
+            $fdisplay(log, "child %0d %h", dut.child_depth, {
+                dut.u_shader.u_children.weight_reg, dut.u_shader.u_children.direction_reg});
+        if (at_light && dut.u_shader.u_lighting.end_first)
+            $fdisplay(log, "local 0 %h", dut.u_shader.u_lighting.end_local);
+        if (at_light && dut.u_shader.u_lighting.bright)
+            $fdisplay(log, "light 0 %h", {
+                dut.u_shader.u_lighting.end_light, dut.u_shader.u_lighting.end_direction,
+                dut.u_shader.u_lighting.end_limit});
+        if (at_pixel) $fdisplay(log, "pixel 0 %h", dut.sum);
     end
+
+    genvar k;
+    generate
+        for (k = 0; k < UNITS; k = k + 1) begin : g_left
+            always @(posedge clk)
+                if (watched && dut.source_valid[k] && dut.source_ready[k]
+                    && dut.g_unit[k].u_trace.term_slot == slot)
+                    $fdisplay(log, "left 0 %h", dut.g_unit[k].u_trace.term_light);
+        end
+    endgenerate
 
     assign probe_done = seen;
-    assign probe = {screen, direction, hit, leaving, distance, offset, half_chord, point, normal,
-                    mirrored, light, limit, shadowed, direct, colour, pixel};
 
 endmodule
 

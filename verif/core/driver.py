@@ -11,20 +11,19 @@ import numpy as np
 from cocotb.triggers import FallingEdge, First, ReadOnly, Timer
 from numpy.typing import NDArray
 
-from models.core import Registers
+from models.core import Counts, Registers
 from models.limits import Fault
 from verif.env.clocking import Clocking
 from verif.env.fields import Field, bit
 from verif.env.pipelined import Mismatch
 from verif.env.streams import AXI4_STREAM, Stream, Transfers
 
-NO_OBJECT = 255
 FRAME = Stream("frame", (Field("data", 32, signed=False), bit("last")), AXI4_STREAM)
 VIDEO = Stream("video", (Field("data", 24, signed=False), bit("user"), bit("last")), AXI4_STREAM)
 PIXELS = Path("pixels.bin")
 """Where `core_tb` leaves the pixels, in the folder of the run."""
 
-_PIXEL_BYTES = 4
+_PIXEL_BYTES = 8
 _POLL_NS = 100_000
 """Simulated time between two looks at how far the picture is."""
 
@@ -32,11 +31,16 @@ _POLL_NS = 100_000
 @dataclass(frozen=True)
 class Picture:
     """What came out of a frame: rgb (n, 3) uint8 and hit (n,) int16 of the pixels in order, -1 for none;
-    clocks from the first word of the frame to its last pixel; the fault, where it was refused."""
+    clocks from the first word of the frame to its last pixel; the core's own counters: clocks, rays and
+    tests of the frame, lights left out and triangles without area since reset; the fault, where it was
+    refused."""
 
     rgb: NDArray[np.uint8]
     hit: NDArray[np.int16]
+    latency: int
     cycles: int
+    counts: Counts
+    degenerate: int
     fault: Fault
 
 
@@ -54,6 +58,7 @@ class CoreDriver:
         dut.probe_on.value = 0
         dut.probe_x.value = 0
         dut.probe_y.value = 0
+        dut.go.value = 1
 
     async def reset(self, registers: Registers) -> None:
         """Resets the core and sets its registers."""
@@ -69,9 +74,10 @@ class CoreDriver:
         await self.clocking.edge
         self._dut.probe_on.value = 1
 
-    def probed(self) -> int | None:
-        """The probe's value, or None where the pixel has not been drawn."""
-        return int(str(self._dut.probe.value), 2) if int(self._dut.probe_done.value) else None
+    @property
+    def probed(self) -> bool:
+        """Whether the probed pixel is complete."""
+        return bool(int(self._dut.probe_done.value))
 
     async def send(self, words: Sequence[int]) -> None:
         """One frame, a word a clock where the core takes it.
@@ -122,7 +128,7 @@ class CoreDriver:
             done, error = int(self._dut.event_done.value), int(self._dut.event_error.value)
             if done or error or (until_probed and int(self._dut.probe_done.value)):
                 fault = Fault(self._dut.event_code.value.to_unsigned()) if error else Fault.NONE
-                picture = _picture(self._pixels(), self._dut.cycles.value.to_unsigned(), fault)
+                picture = self._picture(fault)
                 await self.clocking.edge  # out of the phase in which nothing may be driven
                 return picture
 
@@ -131,8 +137,24 @@ class CoreDriver:
         """Pixels in the file."""
         return int(self._dut.pixels.value.to_unsigned())
 
+    def _counter(self, name: str) -> int:
+        return int(getattr(self._dut, name).value.to_unsigned())
+
+    def _picture(self, fault: Fault) -> Picture:
+        words = self._pixels()
+        objects, colours = words[0::2], words[1::2]
+        return Picture(
+            rgb=np.stack([colours >> 16 & 255, colours >> 8 & 255, colours & 255], axis=-1).astype(np.uint8),
+            hit=objects.view(np.int32).astype(np.int16),
+            latency=self._counter("latency"),
+            cycles=self._counter("cycles"),
+            counts=Counts(**{name: self._counter(name) for name in vars(Counts())}),
+            degenerate=self._counter("degenerate"),
+            fault=fault,
+        )
+
     def _pixels(self) -> NDArray[np.uint32]:
-        """The pixels that came since the last call."""
+        """Two words each of the pixels that came since the last call."""
         if int(self._dut.unknown.value):
             raise Mismatch("a pixel of the picture has unknown bits")
         end = self._written
@@ -147,22 +169,10 @@ class CoreDriver:
         """A frame is set up or drawn."""
         return bool(int(self._dut.busy.value))
 
-    @property
-    def lights_at_point(self) -> int:
-        """Lights left out since reset."""
-        return int(self._dut.lights_at_point.value.to_unsigned())
-
     def registers(self, registers: Registers) -> None:
         """Sets the registers, whatever the core does at the moment."""
-        for name in ("width", "height", "tan_h", "tan_v"):
+        for name in ("width", "height", "tan_h", "tan_v", "depth"):
             getattr(self._dut, name).value = getattr(registers, name)
-
-
-def _picture(words: NDArray[np.uint32], cycles: int, fault: Fault) -> Picture:
-    objects = (words >> 24).astype(np.int16)
-    hit = np.where(objects == NO_OBJECT, -1, objects).astype(np.int16)
-    rgb = np.stack([words >> 16 & 255, words >> 8 & 255, words & 255], axis=-1).astype(np.uint8)
-    return Picture(rgb, hit, cycles, fault)
 
 
 class StreamedCore:

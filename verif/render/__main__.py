@@ -6,16 +6,17 @@ the scene is wrong, or a tool is missing, and nothing was written.
 
 import argparse
 import json
+import math
 import shutil
 import sys
 import tempfile
+from collections import Counter
 from pathlib import Path
 
 from models import images
 from models.core import trace_pixel
 from models.limits import Fault
 from models.scene.errors import SceneError
-from models.scene.frame import pack
 from verif.core import probe
 from verif.core.builds import core_build
 from verif.env.build import BuildError, ensure
@@ -34,8 +35,9 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument("--size", help="WxH; without it the scene's own, or 512x512")
     parser.add_argument("--out", help="folder of the pictures; without it build/render/<scene>")
     parser.add_argument("--sim", default="verilator", help="verilator or icarus")
-    parser.add_argument("--build", default="default", help="formats of the core: default or book")
-    parser.add_argument("--pixel", help="x,y: explains this pixel, stage by stage, and draws no picture")
+    parser.add_argument("--build", help="build of the core; without it the first that holds the scene")
+    parser.add_argument("--depth", help="depth of the deepest ray; without it 5, all that the core traces")
+    parser.add_argument("--pixel", help="x,y: explains this pixel, event by event, and draws no picture")
     return parser.parse_args()
 
 
@@ -43,28 +45,33 @@ def _say(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
-def _simulate(job: Job, pixel: tuple[int, int] | None) -> Drawn:
+def _allowed(expected: Expected, job: Job) -> int:
+    """Clocks a pixel beyond which the core hangs: many times those that its tests and steps take."""
+    counts, pixels = expected.model.counts, job.view.width * job.view.height
+    work = counts.tests + counts.primary_rays + counts.secondary_rays + counts.shadow_rays
+    return 4 + 4 * math.ceil(work / pixels)
+
+
+def _simulate(job: Job, expected: Expected, pixel: tuple[int, int] | None) -> Drawn:
     size = f"{job.view.width}x{job.view.height}"
-    name = f"render-{job.name}-{size}-{job.build}-{job.simulator}"
+    name = f"render-{job.name}-{size}-{job.build}-{job.depth}-{job.simulator}"
     with tempfile.TemporaryDirectory() as scratch:
         build = core_build(job.build, job.simulator)
-        frame = pack(job.file.scene)
-        drawn = simulate(build, frame, job.registers, name, Path(scratch), pixel)
+        allowed = _allowed(expected, job)
+        drawn = simulate(build, job.frame, job.registers, name, Path(scratch), pixel, allowed)
     if drawn.fault:
         raise SimulationError(f"the core refused the frame: {Fault(drawn.fault).name}")
     return drawn
 
 
-def _explain(job: Job, pixel: tuple[int, int]) -> bool:
-    """Prints the stages of one pixel; True where RTL and model agree in all of them."""
-    drawn = _simulate(job, pixel)
-    if drawn.probe is None:
-        raise SimulationError(f"pixel {pixel[0]},{pixel[1]} never came out of the core")
-    rtl = probe.stages(job.formats, drawn.probe)
+def _explain(job: Job, expected: Expected, pixel: tuple[int, int]) -> bool:
+    """Prints the events of one pixel; True where RTL and model agree in all of them."""
+    drawn = _simulate(job, expected, pixel)
+    rtl = probe.read(drawn.directory / probe.LOG, job.formats)
     model = trace_pixel(job.file.scene, job.registers, job.formats, *pixel)
     print(f"pixel {pixel[0]},{pixel[1]} of {job.file.path}, build {job.build}:")
     print("\n".join(probe.table(job.formats, rtl, model)))
-    return all(rtl[name] == values.ravel().tolist() for name, values in model.items())
+    return Counter(rtl) == Counter(model)
 
 
 def _write(job: Job, drawn: Drawn, expected: Expected, summary: Summary) -> None:
@@ -80,7 +87,7 @@ def _write(job: Job, drawn: Drawn, expected: Expected, summary: Summary) -> None
         }
         for name, picture in pictures.items():
             images.save_png(made / name, picture)
-        (made / "frame.hex").write_text(pack(job.file.scene).to_hex(f"{job.name}, for $readmemh"))
+        (made / "frame.hex").write_text(job.frame.to_hex(f"{job.name}, for $readmemh"))
         (made / "summary.json").write_text(json.dumps(summary.as_dict(), indent=2) + "\n")
         job.out.mkdir(exist_ok=True)
         for path in made.iterdir():
@@ -94,6 +101,9 @@ def _table(summary: Summary, out: Path) -> str:
         "RTL against bit-exact model": f"{summary.mismatched_pixels} of {summary.pixels} pixels differ",
         "RTL against reference": f"{psnr}, {summary.hit_mismatch_percent:.4f} % other hits",
         "cycles": f"{summary.cycles}, {summary.cycles_per_pixel:.3f} a pixel",
+        "rays": f"{summary.primary_rays} primary, {summary.secondary_rays} secondary, "
+        f"{summary.shadow_rays} shadow",
+        "tests": f"{summary.tests}, {100 * summary.utilisation:.1f} % of {summary.units} units' clocks",
         "simulation": f"{summary.simulation_seconds:.2f} s, {summary.pixels_per_second:.0f} pixels/s, "
         f"{summary.simulator}",
         "bit-exact model": f"{summary.model_seconds:.2f} s",
@@ -111,7 +121,7 @@ def _draw(job: Job) -> bool:
         _say(f"  building the core for {job.simulator}, once ...")
     ensure(build)
     expected = expect(job)
-    drawn = _simulate(job, None)
+    drawn = _simulate(job, expected, None)
     summary = summarise(job, drawn, expected)
     _write(job, drawn, expected, summary)
     print(_table(summary, job.out))
@@ -119,7 +129,7 @@ def _draw(job: Job) -> bool:
     if wrong:
         x, y = wrong[0]
         print(f"\nfirst wrong pixel {x},{y}: RTL {drawn.rgb[y, x]}, model {expected.model.rgb[y, x]}")
-        _explain(job, wrong[0])
+        _explain(job, expected, wrong[0])
         print(f"again: {job.command(wrong[0])}")
     return not wrong
 
@@ -128,12 +138,12 @@ def main() -> int:
     """Command line; see the module's docstring."""
     words = _arguments()
     try:
-        job = request(words.scene, words.size, words.out, words.sim, words.build, words.pixel)
+        job = request(words.scene, words.size, words.out, words.sim, words.build, words.pixel, words.depth)
     except (SceneError, RequestError, MissingTool) as error:
         _say(str(error))
         return 2
     try:
-        right = _draw(job) if job.pixel is None else _explain(job, job.pixel)
+        right = _draw(job) if job.pixel is None else _explain(job, expect(job), job.pixel)
     except (SimulationError, BuildError) as error:
         _say(str(error))
         return 1

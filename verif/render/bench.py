@@ -17,8 +17,8 @@ from verif.env.clocking import PERIOD_NS
 
 PIXELS, STATUS, PROGRESS = "pixels.npz", "status.json", "progress"
 _PROGRESS_SECONDS = 0.2
-_SETUP_CLOCKS, _CLOCKS_PER_PIXEL = 10_000, 4
-"""After so many clocks the core hangs: it draws a pixel a clock."""
+_SETUP_CLOCKS = 200_000
+"""After so many clocks for the set-up, and those that the caller allows a pixel, the core hangs."""
 
 
 class _Progress:
@@ -37,14 +37,16 @@ class _Progress:
             fresh.replace(self._path)
 
 
-def _leave(directory: Path, picture: Picture, seconds: float, cpu_seconds: float, probe: int | None) -> None:
+def _leave(directory: Path, picture: Picture, seconds: float, cpu_seconds: float) -> None:
     np.savez(directory / PIXELS, rgb=picture.rgb, hit=picture.hit)
     status = {
+        "latency": picture.latency,
         "cycles": picture.cycles,
+        "counts": vars(picture.counts),
+        "degenerate": picture.degenerate,
         "seconds": seconds,
         "cpu_seconds": cpu_seconds,
         "fault": int(picture.fault),
-        "probe": probe,
     }
     (directory / STATUS).write_text(json.dumps(status))
 
@@ -61,10 +63,11 @@ async def draw(dut: Any) -> None:
     if pixel is not None:
         await core.probe(*pixel)
     start, cpu_start = time.perf_counter(), time.process_time()
-    clocks = _SETUP_CLOCKS + _CLOCKS_PER_PIXEL * registers.width * registers.height
+    clocks = _SETUP_CLOCKS + run.extra["clocks_per_pixel"] * registers.width * registers.height
     drawing = core.draw(words, _Progress(run.directory / PROGRESS), until_probed=pixel is not None)
     picture = await with_timeout(drawing, clocks * PERIOD_NS, "ns")
     seconds, cpu_seconds = time.perf_counter() - start, time.process_time() - cpu_start
-    _leave(run.directory, picture, seconds, cpu_seconds, core.probed())
+    _leave(run.directory, picture, seconds, cpu_seconds)
+    assert pixel is None or picture.fault or core.probed, "the pixel never came out of the core"
     if pixel is None and not picture.fault:
         assert len(picture.rgb) == registers.width * registers.height, "not one pixel for each of the picture"

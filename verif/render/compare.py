@@ -8,7 +8,6 @@ import numpy as np
 
 from models import images, reference
 from models.core import Rendering, render
-from models.limits import DEPTH
 from models.reference import Rendering as ReferenceRendering
 from verif.env.simulators import version
 from verif.render.job import Job
@@ -21,7 +20,9 @@ class Summary:
 
     mismatched_pixels: RTL against the bit-exact model, colour or object. hit_mismatch_percent: primary
     rays of the RTL that hit another object than the reference's. psnr_db: RTL against the reference, None
-    where the pictures are equal. simulation_seconds: from the first word of the frame to the last pixel.
+    where the pictures are equal. cycles: from the first word of the frame to the last pixel. *_rays, tests:
+    the core's own counters; utilisation: tests / (units * clocks of the frame). simulation_seconds: wall
+    clock.
     """
 
     scene: str
@@ -33,6 +34,15 @@ class Summary:
     psnr_db: float | None
     cycles: int
     cycles_per_pixel: float
+    primary_rays: int
+    secondary_rays: int
+    shadow_rays: int
+    tests: int
+    units: int
+    utilisation: float
+    lights_at_point: int
+    degenerate_triangles: int
+    depth: int
     simulation_seconds: float
     pixels_per_second: float
     model_seconds: float
@@ -60,7 +70,7 @@ def expect(job: Job) -> Expected:
     start = time.perf_counter()
     model = render(job.file.scene, job.registers, job.formats)
     middle = time.perf_counter()
-    ideal = reference.render(job.file.scene, job.view, max_depth=DEPTH)
+    ideal = reference.render(job.file.scene, job.view, max_depth=job.depth)
     return Expected(model, middle - start, ideal, time.perf_counter() - middle)
 
 
@@ -82,8 +92,17 @@ def summarise(job: Job, drawn: Drawn, expected: Expected) -> Summary:
         mismatched_pixels=len(wrong_pixels(drawn, expected)),
         hit_mismatch_percent=images.hit_mismatch_percent(drawn.hit.astype(np.int32), expected.reference.hit),
         psnr_db=None if math.isinf(psnr) else psnr,
-        cycles=drawn.cycles,
-        cycles_per_pixel=drawn.cycles / pixels,
+        cycles=drawn.latency,
+        cycles_per_pixel=drawn.latency / pixels,
+        primary_rays=drawn.counts.primary_rays,
+        secondary_rays=drawn.counts.secondary_rays,
+        shadow_rays=drawn.counts.shadow_rays,
+        tests=drawn.counts.tests,
+        units=job.core.units,
+        utilisation=drawn.counts.tests / (job.core.units * drawn.cycles),
+        lights_at_point=drawn.counts.lights_at_point,
+        degenerate_triangles=drawn.degenerate,
+        depth=job.depth,
         simulation_seconds=drawn.seconds,
         pixels_per_second=pixels / drawn.seconds,
         model_seconds=expected.model_seconds,

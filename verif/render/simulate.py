@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from models.core import Registers
+from models.core import Counts, Registers
 from models.limits import Fault
 from models.scene.frame import Frame
 from verif.env.build import CACHE, Build, ensure
@@ -30,15 +30,19 @@ class SimulationError(RuntimeError):
 
 @dataclass(frozen=True)
 class Drawn:
-    """The RTL's picture: rgb (h, w, 3), hit (h, w); clocks, seconds (wall clock and CPU), fault, probe."""
+    """The RTL's picture: rgb (h, w, 3), hit (h, w); clocks from the first word to the last pixel and, as the
+    core counts them, of the frame; its counters; seconds (wall clock and CPU); fault; the run's folder."""
 
     rgb: NDArray[np.uint8]
     hit: NDArray[np.int16]
+    latency: int
     cycles: int
+    counts: Counts
+    degenerate: int
     seconds: float
     cpu_seconds: float
     fault: Fault
-    probe: int | None
+    directory: Path
 
 
 class _Line:
@@ -98,17 +102,23 @@ def simulate(
     name: str,
     directory: Path,
     pixel: tuple[int, int] | None = None,
+    clocks_per_pixel: int = 4,
 ) -> Drawn:
     """Draws ``frame``, up to ``pixel`` if one is given; raises SimulationError where the run fails.
 
-    ``directory`` keeps the packed frame; the run's own folder is named after ``name``.
+    ``directory`` keeps the packed frame; the run's own folder is named after ``name``. A picture that takes
+    more than ``clocks_per_pixel`` hangs.
     """
     ensure(build)
     directory.mkdir(parents=True, exist_ok=True)
     packed = directory / f"{name}.hex"
     packed.write_text(frame.to_hex())
-    size = (registers.width, registers.height, registers.tan_h, registers.tan_v)
-    extra = {"registers": size, "frame": str(packed), "pixel": pixel}
+    extra = {
+        "registers": list(vars(registers).values()),
+        "frame": str(packed),
+        "pixel": pixel,
+        "clocks_per_pixel": clocks_per_pixel,
+    }
     line = _Line(run_directory(name) / bench.PROGRESS, registers)
     outcome = _watched(lambda: run(build, _BENCH, name, seed=1, settings={"extra": extra}), line)
     if not outcome.passed:
@@ -132,9 +142,12 @@ def _read(directory: Path, registers: Registers) -> Drawn:
     return Drawn(
         rgb.reshape(*shape, 3),
         hit.reshape(shape),
+        status["latency"],
         status["cycles"],
+        Counts(**status["counts"]),
+        status["degenerate"],
         status["seconds"],
         status["cpu_seconds"],
         Fault(status["fault"]),
-        status["probe"],
+        directory,
     )
