@@ -7,6 +7,7 @@ the default of the module.
 from collections.abc import Callable, Mapping
 
 from models.formats import Knobs, formats
+from models.header import selected
 
 Parameters = Mapping[str, int]
 
@@ -81,10 +82,10 @@ def _light_vector(_: Parameters) -> int:
     return difference + _unit_vector({}) + limit
 
 
-def _intersection(_: Parameters) -> int:
+def _intersection(parameters: Parameters) -> int:
     corners = 1 + _BLOCK_SHIFT
     move = offset = square_sum = discriminant = ends = hit = 1
-    root = _sqrt({"D_W": 2 * formats(Knobs()).half_chord.width})
+    root = _sqrt({"D_W": 2 * selected(parameters).half_chord.width})
     to_offset = corners + _DOT + _MUL + move + offset
     return to_offset + _MUL + square_sum + discriminant + root + ends + hit
 

@@ -7,7 +7,7 @@ made from the unit's ports, so no bench has a wrapper to keep.
 from collections.abc import Sequence
 
 from verif.env.fields import Field
-from verif.env.unit import TAG_W, Parameters, PipelinedUnit
+from verif.env.unit import TAG_W, Parameters, PipelinedUnit, of_module
 
 TOP = "harness"
 """Name of the generated module."""
@@ -40,7 +40,7 @@ def _connections(side: str, fields: Sequence[Field]) -> list[str]:
 def verilog(unit: PipelinedUnit, parameters: Parameters) -> str:
     """The harness of a unit with these parameters."""
     given, got = framed(unit.inputs(parameters)), framed(unit.outputs(parameters))
-    values = ", ".join(f".{name}({value})" for name, value in parameters.items())
+    values = ", ".join(f".{name}({value})" for name, value in of_module(parameters).items())
     ports = [".clk(clk)", ".rst(rst)", *_connections("in", given), *_connections("out", got)]
     return "\n".join(
         [

@@ -13,9 +13,20 @@ from models.latency import LATENCY
 from verif.env.fields import Field, Operands
 
 Parameters = Mapping[str, int]
+"""Parameters of a module, and macros of its build: those that begin with `RT_`, as the header's do."""
 
 TAG_W = 8
 """Width of the tag in benches: wide enough that no two operands in flight share one."""
+
+
+def macros(parameters: Parameters) -> Parameters:
+    """Those that are macros of the build, such as `models.header.defines` names its knobs."""
+    return {name: value for name, value in parameters.items() if name.startswith("RT_")}
+
+
+def of_module(parameters: Parameters) -> Parameters:
+    """Those that are the module's own."""
+    return {name: value for name, value in parameters.items() if not name.startswith("RT_")}
 
 
 @dataclass(frozen=True)
@@ -37,7 +48,7 @@ class Unit:
     """One module under test.
 
     name: module, folder and latency entry. parameters: the Verilog's defaults. sets: named
-    changes to them, each a build; `default` is always there. defines: macros of the build.
+    changes to them and macros, each a build; `default` is always there. defines: macros of the build.
     exhaustive: the set, if any, narrow enough to try every operand. top: module at the top of the
     build, where it is not the module itself but a wrapper in the unit's folder. breaks: changes of
     the design that prove that the bench can fail.

@@ -11,7 +11,7 @@ from verif.env import harness, sources
 from verif.env.build import CACHE, Build
 from verif.env.run import Outcome, run
 from verif.env.simulators import Simulator
-from verif.env.unit import Parameters, PipelinedUnit, StreamUnit, Unit
+from verif.env.unit import Parameters, PipelinedUnit, StreamUnit, Unit, macros, of_module
 
 UNITS = sources.VERIF / "units"
 
@@ -71,11 +71,12 @@ def build(
 ) -> Build:
     """The build of a unit with complete parameters."""
     changed = replacements or {}
+    defines = {**unit.defines, **macros(parameters)}
     if isinstance(unit, PipelinedUnit):
         return Build(
             harness.TOP,
             simulator,
-            defines=unit.defines,
+            defines=defines,
             waves=waves,
             harness=harness.verilog(unit, parameters),
             control=harness.CONTROL,
@@ -85,8 +86,8 @@ def build(
     return Build(
         unit.module,
         simulator,
-        parameters=parameters,
-        defines=unit.defines,
+        parameters=of_module(parameters),
+        defines=defines,
         waves=waves,
         control=harness.control(unit.module) if isinstance(unit, StreamUnit) else None,
         label=unit.name,

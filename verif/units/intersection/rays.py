@@ -51,17 +51,20 @@ def limits(generator: Generator, distance: Raw, fmts: Formats) -> Raw:
     step = generator.integers(-1, 1, size, endpoint=True)
     smallest = int(T_MIN * one) + step
     at_hit = fmts.point.saturate(distance + step)
-    return vectors.pick(generator, nothing, nothing, at_hit, smallest)
+    return vectors.pick(generator, nothing, nothing, nothing, nothing, at_hit, at_hit, smallest)
 
 
-def tests(generator: Generator, size: int, fmts: Formats) -> Operands:
-    """Rays past spheres; limits have still to be chosen and are as far as can be."""
+def past_spheres(generator: Generator, size: int, fmts: Formats) -> Operands:
+    """Tests of rays against spheres; limits have still to be chosen and are as far as can be."""
     center, radius = spheres(generator, size, fmts)
     origin, direction = aimed(generator, center, radius, size, fmts)
+    nothing = np.zeros_like(radius)
+    spare = generator.integers(fmts.coord.min, fmts.coord.max, (6, size), endpoint=True)
     return {
         "origin": origin,
         "direction": direction,
-        "center": center,
-        "radius_sq": radius * radius,
         "limit": np.full(size, int(INFINITY * fmts.point.one)),
+        "triangle": nothing,
+        "shape": np.stack([nothing, nothing, radius * radius]),
+        "vertices": np.concatenate([center, spare]),
     }

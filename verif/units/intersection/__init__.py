@@ -1,0 +1,1 @@
+"""Bench of the test of a ray against an object."""

@@ -1,0 +1,121 @@
+"""A ray against an object: ports, model, rays that pass spheres and triangles in every way."""
+
+from typing import Any
+
+import numpy as np
+from numpy.random import Generator
+
+from models.core import sphere_intersect, triangle_intersect
+from models.fixed import Raw
+from models.formats import BUILDS, Formats
+from models.header import defines, selected
+from verif.env.fields import Field, Operands, bit, concatenate, count, select
+from verif.env.unit import Break, Parameters, PipelinedUnit
+from verif.units.intersection import rays, triangles
+
+
+def _inputs(p: Parameters) -> tuple[Field, ...]:
+    fmts = selected(p)
+    return (
+        Field.of("origin", fmts.point, lanes=3),
+        Field.of("direction", fmts.unit, lanes=3),
+        Field.of("limit", fmts.point),
+        bit("triangle"),
+        Field.of("shape", fmts.unit, lanes=3),
+        Field.of("vertices", fmts.coord, lanes=9),
+    )
+
+
+def _outputs(p: Parameters) -> tuple[Field, ...]:
+    fmts = selected(p)
+    return (
+        bit("hit"),
+        bit("leaving"),
+        Field.of("distance", fmts.point),
+        Field.of("offset", fmts.offset, lanes=3),
+        Field.of("half_chord", fmts.half_chord),
+    )
+
+
+def _legal(p: Parameters, operands: Operands) -> Operands:
+    """The shape of a sphere is its radius squared, with zeros above."""
+    shape, mask = operands["shape"], selected(p).radius_sq.max
+    nothing = np.zeros_like(shape[0])
+    return {
+        **operands,
+        "shape": np.where(operands["triangle"] == 1, shape, np.stack([nothing, nothing, shape[2] & mask])),
+    }
+
+
+def corners(operands: Operands) -> tuple[Raw, Raw, Raw]:
+    """The three corners (3, n); a sphere's center in the first one's place."""
+    vertices = operands["vertices"]
+    return vertices[0:3], vertices[3:6], vertices[6:9]
+
+
+def radius_sq(operands: Operands, fmts: Formats) -> Raw:
+    """Of a sphere, in `radius_sq`."""
+    return operands["shape"][2] & fmts.radius_sq.max
+
+
+def _model(p: Parameters, operands: Operands) -> Operands:
+    fmts = selected(p)
+    ray: dict[str, Any] = {name: operands[name] for name in ("origin", "direction", "limit")}
+    flat = operands["triangle"] == 1
+    ball = sphere_intersect(
+        center=corners(operands)[0], radius_sq=radius_sq(operands, fmts), **ray, fmts=fmts
+    )
+    face = triangle_intersect(corners=corners(operands), normal=operands["shape"], **ray, fmts=fmts)
+    return {
+        "hit": np.where(flat, face.hit, ball.hit),
+        "leaving": np.where(flat, face.leaving, ball.leaving),
+        "distance": np.where(flat, face.distance, ball.distance),
+        "offset": np.where(flat, 0, ball.offset),
+        "half_chord": np.where(flat, 0, ball.half_chord),
+    }
+
+
+def alternating(p: Parameters, generator: Generator, size: int) -> Operands:
+    """Spheres and triangles in turn, an even number; limits at the model's distances, and beside them."""
+    fmts, half = selected(p), size // 2
+    parts = [
+        rays.past_spheres(generator, half, fmts),
+        triangles.past_triangles(generator, half, fmts),
+    ]
+    drawn = select(concatenate(parts), np.arange(2 * half).reshape(2, half).T.ravel())
+    return {**drawn, "limit": rays.limits(generator, _model(p, drawn)["distance"], fmts)}
+
+
+def _directed(p: Parameters, generator: Generator, size: int) -> Operands:
+    """Runs of the two kinds; see `alternating`."""
+    drawn = alternating(p, generator, size + 2)
+    return select(drawn, generator.permutation(count(drawn)))
+
+
+_FILE = "trace/intersection.v"
+
+UNIT = PipelinedUnit(
+    name="intersection",
+    sets={"book": defines(BUILDS["book"])},
+    inputs=_inputs,
+    outputs=_outputs,
+    model=_model,
+    legal=_legal,
+    directed=_directed,
+    breaks=(
+        Break(_FILE, "near_reg < $signed(T_MIN)", "near_reg <= $signed(T_MIN)"),
+        Break(_FILE, "t < limit_wide", "t <= limit_wide"),
+        Break(_FILE, "b_wide + root_wide", "b_wide - root_wide"),
+        Break(_FILE, "y_size >= z_size ?", "y_size > z_size ?"),
+        Break(
+            _FILE,
+            "(positive_reg == 3'd0) ^ (negative_reg == 3'd0)",
+            "(positive_reg == 3'd0) | (negative_reg == 3'd0)",
+        ),
+        Break(_FILE, "(positive_reg == 3'd0) ^ (negative_reg == 3'd0)", "&positive_reg ^ &negative_reg"),
+        Break(_FILE, "facing_positive == behind_positive", "facing_positive"),
+        Break(_FILE, "localparam NEXT = (corner + 2) % 3", "localparam NEXT = (corner + 1) % 3"),
+        Break(_FILE, "wire kind_at_along = kind_reg[T_ALONG-1]", "wire kind_at_along = kind_reg[T_ALONG]"),
+        Break(_FILE, "{WEIGHT{1'b0}}} >> shift_at_side", "{WEIGHT{1'b0}}} >> seen_shift", set="book"),
+    ),
+)

@@ -1,1 +1,0 @@
-"""Bench of the ray-sphere test."""
