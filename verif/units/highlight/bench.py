@@ -6,37 +6,39 @@ Nothing is rounded up, so no result is above the power.
 
 import numpy as np
 
+from models.header import selected
 from models.limits import SHININESS
 from verif.env.definitions import Holds
 from verif.env.fields import Operands
 from verif.env.pipelined_tests import standard_tests
 from verif.env.unit import Parameters
 from verif.env.vectors import SLACK, Floats, where
-from verif.units.highlight.unit import FMTS, UNIT
+from verif.units.highlight.unit import UNIT
 
-_STEP = 1.0 / FMTS.cosine.one
 _SQUARINGS = SHININESS.bit_length() - 1
-_MOST = FMTS.cosine.max * _STEP
 
 
-def power_bound(cosine: Floats, error: Floats | float = 0.0) -> Floats:
+def power_bound(cosine: Floats, step: float, error: Floats | float = 0.0) -> Floats:
     """By how much the power may be below that of a cosine which is itself below by ``error``."""
     bound, power = np.broadcast_to(error, cosine.shape), cosine
     for _ in range(_SQUARINGS):
-        bound, power = 2.0 * power * bound + _STEP, power * power
+        bound, power = 2.0 * power * bound + step, power * power
     return bound + SLACK
 
 
-def result_is_the_sixteenth_power_within_the_bound(_: Parameters, given: Operands, got: Operands) -> Holds:
+def result_is_the_sixteenth_power_within_the_bound(p: Parameters, given: Operands, got: Operands) -> Holds:
     """Never above it; saturated where it does not fit."""
-    cosine, power = FMTS.cosine.to_float(given["cosine"]), FMTS.cosine.to_float(got["power"])
-    exact = np.minimum(cosine**SHININESS, _MOST)
-    return (power <= exact + SLACK) & (power >= np.minimum(cosine**SHININESS - power_bound(cosine), _MOST))
+    fmt = selected(p).cosine
+    cosine, power = fmt.to_float(given["cosine"]), fmt.to_float(got["power"])
+    step, exact = 1.0 / fmt.one, cosine**SHININESS
+    most = fmt.max * step
+    least = np.minimum(exact - power_bound(cosine, step), most)
+    return np.asarray((power <= np.minimum(exact, most) + SLACK) & (power >= least))
 
 
-def one_and_zero_are_their_own_powers(_: Parameters, given: Operands, got: Operands) -> Holds:
+def one_and_zero_are_their_own_powers(p: Parameters, given: Operands, got: Operands) -> Holds:
     """Exactly, and a step below 1 is below 1."""
-    one = FMTS.cosine.one
+    one = selected(p).cosine.one
     fixed = (given["cosine"] == 0) | (given["cosine"] == one)
     return where(fixed, got["power"] == given["cosine"]) & ((given["cosine"] >= one) | (got["power"] < one))
 

@@ -24,6 +24,8 @@ UNIT = PipelinedUnit(
     sets={
         "point": {"A_W": 25, "B_W": 18},
         "unsigned": {"A_W": 36, "B_W": 21, "LANES": 2, "SIGNED": 0},
+        "rests": {"A_W": 22, "B_W": 21},
+        "short": {"A_W": 5, "B_W": 8, "LANES": 1},
         "narrow": {"A_W": 6, "B_W": 7, "LANES": 1},
     },
     exhaustive="narrow",
@@ -33,6 +35,8 @@ UNIT = PipelinedUnit(
     breaks=(
         Break("arith/mul.v", "g_piece[k-1].total + term", "g_piece[k-1].total - term"),
         Break("arith/mul_piece.v", "{1'b0, a[A_LOW+:PIECE_W]}", "{a[A_LOW+PIECE_W-1], a[A_LOW+:PIECE_W]}"),
+        Break("arith/mul_piece.v", "i < S_W - 1;", "i < S_W - 1 && i < 3;", set="rests"),
+        Break("arith/mul_piece.v", "shift_and_add - (addend", "shift_and_add + (addend", set="short"),
         Break("arith/valid_pipe.v", "if (rst) valid_reg", "if (1'b0) valid_reg"),
     ),
 )

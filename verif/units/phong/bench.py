@@ -3,15 +3,17 @@
 Every product is floored and saturated, so no result is above the equation's; below it by at most
 what the floors of both cosines (v), of the powers, of the products and of the last one (w) leave:
 
-    (S - e_S) (A - w) - w   with e_S = k_diffuse v + k_specular e_power + 2 w
+    (S - e_S) A - w   with e_S = k_diffuse v + k_specular e_power + 2 w
 
-where S is the sum of both terms and A the light that arrives, each held in range.
+where S is the sum of both terms, held in range, and A the intensity of the light.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
+from models.formats import Formats
+from models.header import selected
 from models.limits import SHININESS
 from verif.env.context import Context
 from verif.env.definitions import Holds, all_lanes
@@ -21,18 +23,17 @@ from verif.env.pipelined_tests import mixed, standard_tests
 from verif.env.unit import Parameters
 from verif.env.vectors import SLACK, Floats, where
 from verif.units.highlight.bench import power_bound
-from verif.units.phong.unit import FMTS, UNIT
+from verif.units.phong.unit import UNIT
 
-_COSINE_STEP, _SHADE_STEP = 1.0 / FMTS.cosine.one, 1.0 / FMTS.shade.one
-_COSINE_MOST, _SHADE_MOST = FMTS.cosine.max * _COSINE_STEP, FMTS.shade.max * _SHADE_STEP
 _MONOTONE_STREAM = 1 << 18
 
 
-def _exact_cosine(given: Operands, name: str) -> tuple[Floats, Holds, Holds]:
+def _exact_cosine(given: Operands, name: str, fmts: Formats) -> tuple[Floats, Holds, Holds]:
     """Cosine with L held in range; where it is not positive, and where a step of it or more is left."""
     total = (given[name] * given["direction"]).sum(axis=0)
-    number = total / FMTS.unit.one**2
-    return np.clip(number, 0.0, _COSINE_MOST), total <= 0, total >= FMTS.unit.one
+    number = total / fmts.unit.one**2
+    most = fmts.cosine.max / fmts.cosine.one
+    return np.clip(number, 0.0, most), total <= 0, total >= fmts.unit.one
 
 
 @dataclass(frozen=True)
@@ -43,50 +44,52 @@ class _Limits:
     least: Floats
 
     @classmethod
-    def of(cls, given: Operands) -> "_Limits":
+    def of(cls, given: Operands, fmts: Formats) -> "_Limits":
         """For all operands as if they were lit."""
-        names = ("k_diffuse", "k_specular", "intensity", "attenuation")
-        diffuse, specular, intensity, attenuation = (FMTS.coeff.to_float(given[name]) for name in names)
-        cosine, mirror = (_exact_cosine(given, name)[0] for name in ("normal", "mirrored"))
-        power = np.minimum(mirror**SHININESS, _COSINE_MOST)
-        both = np.minimum(diffuse * cosine + specular * power, _SHADE_MOST)
-        arriving = np.minimum(intensity * attenuation, _SHADE_MOST)
-        error = diffuse * _COSINE_STEP + specular * power_bound(mirror, _COSINE_STEP) + 2.0 * _SHADE_STEP
-        below = np.maximum(both - error, 0.0) * np.maximum(arriving - _SHADE_STEP, 0.0)
+        step, shade_step = 1.0 / fmts.cosine.one, 1.0 / fmts.shade.one
+        names = ("k_diffuse", "k_specular", "intensity")
+        diffuse, specular, intensity = (fmts.coeff.to_float(given[name]) for name in names)
+        cosine, mirror = (_exact_cosine(given, name, fmts)[0] for name in ("normal", "mirrored"))
+        power = np.minimum(mirror**SHININESS, fmts.cosine.max * step)
+        most = fmts.shade.max * shade_step
+        both = np.minimum(diffuse * cosine + specular * power, most)
+        error = diffuse * step + specular * power_bound(mirror, step, step) + 2.0 * shade_step
+        below = np.maximum(both - error, 0.0) * intensity
         return cls(
-            np.minimum(both * arriving, _SHADE_MOST) + SLACK,
-            np.minimum(below, _SHADE_MOST) - _SHADE_STEP - SLACK,
+            np.minimum(both * intensity, most) + SLACK,
+            np.minimum(below, most) - shade_step - SLACK,
         )
 
 
-def light_behind_the_surface_or_dark_adds_nothing(_: Parameters, given: Operands, got: Operands) -> Holds:
+def light_behind_the_surface_or_dark_adds_nothing(p: Parameters, given: Operands, got: Operands) -> Holds:
     """N.L <= 0, exactly, or a light without a direction."""
-    behind = _exact_cosine(given, "normal")[1] | (given["dark"] == 1)
+    behind = _exact_cosine(given, "normal", selected(p))[1] | (given["dark"] == 1)
     return where(behind, all_lanes(got["colour"] == 0))
 
 
-def light_in_front_adds_what_the_equation_says(_: Parameters, given: Operands, got: Operands) -> Holds:
+def light_in_front_adds_what_the_equation_says(p: Parameters, given: Operands, got: Operands) -> Holds:
     """Where a step of N.L is left; never more than the equation, less by no more than the bound."""
-    front = _exact_cosine(given, "normal")[2] & (given["dark"] == 0)
-    limits, colour = _Limits.of(given), FMTS.shade.to_float(got["colour"])
+    fmts = selected(p)
+    front = _exact_cosine(given, "normal", fmts)[2] & (given["dark"] == 0)
+    limits, colour = _Limits.of(given, fmts), fmts.shade.to_float(got["colour"])
     return where(front, all_lanes((limits.least <= colour) & (colour <= limits.most)))
 
 
-def light_that_is_stopped_or_off_adds_nothing(_: Parameters, given: Operands, got: Operands) -> Holds:
-    """A channel without attenuation's share or without intensity stays black."""
-    nothing = (given["attenuation"] == 0) | (given["intensity"] == 0)
+def light_that_is_off_adds_nothing(_: Parameters, given: Operands, got: Operands) -> Holds:
+    """A channel without intensity stays black."""
+    nothing = given["intensity"] == 0
     return where(nothing.any(axis=0), all_lanes(~nothing | (got["colour"] == 0)))
 
 
 async def more_light_never_darkens(bench: PipelinedBench, run: Context) -> None:
-    """The same operands with more light, more reflectance or less shadow: no channel is less."""
+    """The same operands with more light or more reflectance: no channel is less."""
     generator = run.generator(_MONOTONE_STREAM)
     drawn = mixed(bench.unit, generator, run, min(run.operands // 4, 10_000))
     _, before = await bench.answers(drawn)
-    names = ("k_diffuse", "k_specular", "intensity", "attenuation")
+    names = ("k_diffuse", "k_specular", "intensity")
+    most = selected(run.parameters).coeff.max
     more = {
-        name: np.minimum(drawn[name] + generator.integers(0, 500, drawn[name].shape), FMTS.coeff.max)
-        for name in names
+        name: np.minimum(drawn[name] + generator.integers(0, 500, drawn[name].shape), most) for name in names
     }
     _, after = await bench.answers({**drawn, **more})
     darker = np.flatnonzero((after["colour"] < before["colour"]).any(axis=0))
@@ -100,7 +103,7 @@ globals().update(
         UNIT,
         light_behind_the_surface_or_dark_adds_nothing,
         light_in_front_adds_what_the_equation_says,
-        light_that_is_stopped_or_off_adds_nothing,
+        light_that_is_off_adds_nothing,
         more=(more_light_never_darkens,),
     )
 )
