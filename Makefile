@@ -19,7 +19,7 @@ JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 option = $(if $($(2)),$(1) '$($(2))')
 
 .DEFAULT_GOAL := help
-.PHONY: help setup render test unit lint format bench breaks header requirements clean
+.PHONY: help setup render test unit lint format bench book breaks header requirements clean
 
 help: ## lists the commands
 	@echo "Commands (make <command> [NAME=value ...]):"
@@ -60,6 +60,9 @@ format: $(READY) ## formats the Python
 
 bench: $(READY) ## measures: cocotb against a bare C++ loop, the model against the RTL
 	@$(BIN)/python -m verif.bench
+
+book: $(READY) ## repeats the book's experiments and writes hdl/BOOK.md: [ONLY=timing]
+	@$(BIN)/python -m verif.book $(ONLY)
 
 breaks: $(READY) ## breaks the Verilog a line at a time and shows that the benches notice: [UNIT=sqrt] [SIM=icarus]
 	@$(BIN)/python -m verif.env.breaks $(UNIT) $(call option,--sim,SIM)

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from models.cores import CORES
 from models.fixed import Format
 from models.formats import BUILDS, TABLE, Formats, formats
 from models.latency import LATENCY
@@ -20,7 +21,7 @@ PAGE = Path(__file__).parents[1] / "hdl" / "README.md"
 
 _PIECE = 17
 _SHORT = 5
-"""``PIECE_W`` of ``hdl/arith/mul.v`` and ``SHORT_W`` of ``hdl/arith/mul_piece.v``; a test holds them equal."""
+"""``PIECE_W`` of ``hdl/arith/mul.v``, ``SHORT_W`` of ``hdl/arith/mul_piece.v``; a test holds them equal."""
 
 
 def multipliers(a: Format, b: Format, count: int = 1) -> int:
@@ -38,62 +39,95 @@ def multipliers(a: Format, b: Format, count: int = 1) -> int:
 
 @dataclass(frozen=True)
 class Stage:
-    """One stage: module, what it does, where its latency is, formats of its products, its result."""
+    """One stage: module, what it does, formats of its products, its result, how many of it there are."""
 
     module: str
     does: str
     products: Callable[[Formats], int]
     result: str
+    copies: int = 1
+
+    def multipliers(self, fmts: Formats) -> int:
+        """18 x 18 multipliers of all copies."""
+        return self.copies * self.products(fmts)
+
+
+_OPERAND = Format(18, 0)
+"""Operand of the shared multipliers of `intersection`: a number, or a piece of one."""
+
+
+def _intersection(f: Formats) -> int:
+    area = max(f.offset, f.unit, key=lambda fmt: fmt.width)
+    return multipliers(f.unit, _OPERAND, 18) + multipliers(area, area, 6)
+
+
+def _surface(f: Formats) -> int:
+    inverse = Format(f.inv_radius.int_bits + 1, f.inv_radius.frac_bits)
+    return multipliers(f.unit, f.point, 3) + multipliers(f.offset, inverse, 3)
+
+
+def _refract(f: Formats) -> int:
+    radicand = multipliers(f.cosine, f.cosine) + multipliers(f.eta_sq, f.sine_sq)
+    signed_eta = Format(f.eta.int_bits + 1, f.eta.frac_bits)
+    direction = multipliers(f.gain, f.unit, 3) + multipliers(signed_eta, f.unit, 3)
+    return radicand + multipliers(f.eta, f.cosine) + direction
 
 
 def _phong(f: Formats) -> int:
     cosines = multipliers(f.unit, f.unit, 6)
     power = multipliers(f.cosine, f.cosine, 4)
-    parts = multipliers(f.coeff, f.cosine, 6) + multipliers(f.coeff, f.coeff, 3)
-    return cosines + power + parts + multipliers(f.shade, f.shade, 3)
+    return cosines + power + multipliers(f.coeff, f.cosine, 6) + multipliers(f.shade, f.coeff, 3)
 
 
-def _sphere(f: Formats) -> int:
-    return multipliers(f.unit, f.point, 6) + multipliers(f.offset, f.offset, 3)
-
-
-def _surface(f: Formats) -> int:
-    chord = Format(f.half_chord.int_bits + 1, f.half_chord.frac_bits)
-    inverse = Format(f.inv_radius.int_bits + 1, f.inv_radius.frac_bits)
-    return multipliers(f.unit, chord, 3) + multipliers(f.offset, inverse, 3)
+def _normaliser(f: Formats) -> int:
+    return multipliers(f.mantissa, f.mantissa, 3)
 
 
 _WIDE = Format(20, 0)
 """Operands of the multipliers that set-ups share: differences of coordinates, tangents, coefficients."""
 
+
+def _set_up(_: Formats) -> int:
+    return multipliers(_WIDE, _WIDE)
+
+
+def _none(_: Formats) -> int:
+    return 0
+
+
+_UNITS = CORES["default"].units
+
 STAGES = (
-    Stage("camera", "basis of the screen, once a frame", lambda _: multipliers(_WIDE, _WIDE), "screen, span"),
+    Stage("camera", "basis of the screen, once a frame", _set_up, "screen, span"),
     Stage(
         "object_setup",
-        "constants of the objects, once a frame: of one sphere",
-        lambda _: multipliers(_WIDE, _WIDE),
+        "constants of an object, once a frame: of one sphere",
+        _set_up,
         "radius_sq, inv_radius, unit, shade",
     ),
+    Stage("unit_vector", "direction of the primary ray; of basis and normals", _normaliser, "unit"),
     Stage(
-        "unit_vector",
-        "direction of the primary ray",
-        lambda f: multipliers(f.mantissa, f.mantissa, 3),
-        "unit",
+        "intersection",
+        f"ray against object, in {_UNITS} trace units",
+        _intersection,
+        "point, offset, half_chord",
+        _UNITS,
     ),
-    Stage("sphere_intersect", "primary ray against the sphere", _sphere, "point, offset, half_chord"),
+    Stage(
+        "dim",
+        f"light behind an object, in {_UNITS} trace units",
+        lambda f: multipliers(f.shade, f.coeff, 3),
+        "shade",
+        _UNITS,
+    ),
     Stage("surface", "hit point and normal", _surface, "point, unit"),
     Stage("reflect", "mirrored direction", lambda f: multipliers(f.unit, f.unit, 6), "unit"),
-    Stage(
-        "light_vector",
-        "direction and distance of the light",
-        lambda f: multipliers(f.mantissa, f.mantissa, 3),
-        "unit, point",
-    ),
-    Stage("sphere_intersect", "shadow ray against the sphere", _sphere, "hit or not"),
+    Stage("vec_mul", "weight of a child", lambda f: multipliers(f.shade, f.coeff, 3), "shade"),
+    Stage("refract", "transmitted direction", _refract, "unit"),
+    Stage("light_vector", "direction and distance of a light", _normaliser, "unit, point"),
     Stage("phong", "light of the hit point", _phong, "shade"),
-    Stage("colour_add", "plus ambient", lambda _: 0, "shade"),
-    Stage("vec_mul", "times the ray's weight", lambda f: multipliers(f.shade, f.shade, 3), "shade"),
-    Stage("rgb888", "bytes", lambda _: 0, "channel"),
+    Stage("vec_mul", "times the ray's weight", lambda f: multipliers(f.shade, f.shade, 6), "shade"),
+    Stage("rgb888", "bytes", _none, "channel"),
 )
 
 
@@ -103,10 +137,10 @@ def _stage_table() -> Iterator[str]:
     yield f"| stage | module | clocks | {counted} | result |"
     yield f"| --- | --- | --- | {' | '.join('---' for _ in builds)} | --- |"
     for stage in STAGES:
-        counts = " | ".join(str(stage.products(fmts)) for fmts in builds.values())
+        counts = " | ".join(str(stage.multipliers(fmts)) for fmts in builds.values())
         clocks = LATENCY[stage.module]({})
         yield f"| {stage.does} | `{stage.module}` | {clocks} | {counts} | {stage.result} |"
-    sums = " | ".join(str(sum(stage.products(fmts) for stage in STAGES)) for fmts in builds.values())
+    sums = " | ".join(str(sum(stage.multipliers(fmts) for stage in STAGES)) for fmts in builds.values())
     yield f"| sum | | | {sums} | |"
 
 

@@ -1,0 +1,1 @@
+"""`make book`: the experiments of the project book, repeated with this core."""
