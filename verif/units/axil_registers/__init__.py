@@ -1,0 +1,1 @@
+"""Bench of the registers behind AXI4-Lite."""

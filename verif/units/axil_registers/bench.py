@@ -1,0 +1,545 @@
+"""Tests of the registers, with cocotbext-axi's master before them and a model beside them at every clock."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import cocotb
+from cocotb.task import Task
+from cocotb.triggers import Timer, with_timeout
+from hypothesis import strategies as st
+
+from models.registers import REGISTERS, RESET_CLOCKS, WORD_BYTES, Access, Build
+from verif.env import axi, context
+from verif.env.axi import OKAY, SLVERR, Answer, RegisterPort
+from verif.env.block import Block, holds, same
+from verif.env.clocking import PERIOD_NS
+from verif.env.pipelined import Mismatch
+from verif.units.axil_registers.model import CORE, COUNTERS, EVENTS, PULSES, Clock, RegisterModel
+
+_ADDRESSES = 1 << 8
+_WORD_W = 8 * WORD_BYTES
+_ALL = (1 << _WORD_W) - 1
+_BUS = ("awvalid", "awaddr", "wvalid", "wdata", "wstrb", "bready", "arvalid", "araddr", "rready")
+_CODE_W = REGISTERS["ERROR"].field("code").width
+
+
+@dataclass(frozen=True)
+class Write:
+    """Bytes of one word. waits: nothing else is asked for before its response."""
+
+    address: int
+    data: bytes
+    waits: bool
+
+
+@dataclass(frozen=True)
+class Read:
+    """A word. waits: nothing else is asked for before its response."""
+
+    address: int
+    waits: bool
+
+
+@dataclass(frozen=True)
+class Core:
+    """One clock in which the core tells something, and what it shows from then on."""
+
+    pulses: frozenset[str]
+    shown: Mapping[str, int]
+
+
+@dataclass(frozen=True)
+class Wait:
+    """Clocks in which nothing new is asked for; a reset, if it is one."""
+
+    clocks: int
+    reset: bool = False
+
+
+Action = Write | Read | Core | Wait
+
+
+@dataclass
+class Asked:
+    """Tasks of the accesses under way, in order; each ends with its answer, None where a reset dropped it."""
+
+    writes: list[Task[Answer | None]] = field(default_factory=list)
+    reads: list[Task[Answer | None]] = field(default_factory=list)
+
+
+class RegistersBench(Block):
+    """A master, the core's side, and the model, which sees what the registers see."""
+
+    def __init__(self, dut: Any, run: context.Context) -> None:
+        super().__init__(dut, idle=PULSES)
+        self.build = Build.of(run.parameters)
+        self.generator = run.generator(0)
+        self.set(rst=0, **dict.fromkeys(CORE, 0))
+        self.set(**{f"s_axil_{name}": 0 for name in (*_BUS, "awprot", "arprot")})
+        self._model = RegisterModel(self.build)
+        self._complaint: Mismatch | None = None
+        self._asked = Asked()
+        self._monitors = [axi.channel(name).monitor(dut, "s_axil", self.clocking) for name in axi.CHANNELS]
+        self._master: RegisterPort | None = None
+
+    @classmethod
+    async def create(cls, dut: Any) -> tuple["RegistersBench", context.Context]:
+        """A bench whose clock runs, whose block has been reset and which has a master."""
+        run = context.read()
+        bench = cls(dut, run)
+        await bench.reset()
+        bench.watch()
+        bench._master = RegisterPort(dut)
+        return bench, run
+
+    @property
+    def port(self) -> RegisterPort:
+        """The master."""
+        if self._master is None:
+            raise RuntimeError("no master before the first reset")
+        return self._master
+
+    def watch(self) -> None:
+        """From the next clock on compares every output with the model; `check` tells."""
+        cocotb.start_soon(self._watch())
+        for monitor in self._monitors:
+            monitor.start()
+
+    async def _watch(self) -> None:
+        while self._complaint is None:
+            await self.clocking.edge
+            try:
+                for name, expected in self._model.outputs().items():
+                    same(name, expected, self.read(name))
+                self._model.clock(self._sample())
+            except Mismatch as mismatch:
+                self._complaint = Mismatch(f"clock {self.now + 1}: {mismatch}")
+
+    def _sample(self) -> Clock:
+        bus = {
+            name: self.read(f"s_axil_{name}") for name in ("awvalid", "wvalid", "arvalid", "bready", "rready")
+        }
+        return Clock(
+            rst=bool(self.read("rst")),
+            aw=self.read("s_axil_awaddr") if bus["awvalid"] else None,
+            w=(self.read("s_axil_wdata"), self.read("s_axil_wstrb")) if bus["wvalid"] else None,
+            b_ready=bool(bus["bready"]),
+            ar=self.read("s_axil_araddr") if bus["arvalid"] else None,
+            r_ready=bool(bus["rready"]),
+            core={name: self.read(name) for name in (CORE if self._model.looks else EVENTS)},
+        )
+
+    def check(self) -> None:
+        """Raises Mismatch where an output was not the model's, or a channel broke the protocol."""
+        if self._complaint is not None:
+            raise self._complaint
+        if breaches := [breach for monitor in self._monitors for breach in monitor.breaches]:
+            raise Mismatch("\n".join(breaches[:4]))
+
+    async def restart(self, pauses: Sequence[Sequence[bool]] = ()) -> None:
+        """Reset, whatever is under way; these pauses of the channels from then on."""
+        patterns = pauses or ((),) * len(axi.CHANNELS)
+        for name, pattern in zip(axi.CHANNELS, patterns, strict=True):
+            self.port.pause(name, axi.repeated(pattern) if any(pattern) else None)
+        self.set(**dict.fromkeys(CORE, 0))
+        await self.reset()
+        self._asked = Asked()
+        self._model.finished.clear()
+        # The agents start a clock after reset: without it a drawn sequence would begin before them.
+        await self.clock()
+
+    async def pulse(self, *names: str, **shown: int) -> None:
+        """One clock in which the core tells these."""
+        self.set(**shown)
+        await self.clock(**dict.fromkeys(names, 1))
+        self.set(**dict.fromkeys(names, 0))
+
+    async def act(self, action: Action) -> None:
+        """Does it, or has it begun."""
+        match action:
+            case Write(address, data, waits):
+                task = cocotb.start_soon(self.port.write(address, data))
+                self._asked.writes.append(task)
+                if waits:
+                    await self._finished([task])
+            case Read(address, waits):
+                task = cocotb.start_soon(self.port.read(address))
+                self._asked.reads.append(task)
+                if waits:
+                    await self._finished([task])
+            case Core(pulses, shown):
+                await self.pulse(*pulses, **shown)
+            case Wait(clocks, reset):
+                if reset:
+                    await self.reset(clocks + 1)
+                else:
+                    await self.clocks(clocks)
+
+    async def _finished(self, tasks: Sequence[Task[Answer | None]], each: int = 200) -> None:
+        for _ in range(each * len(tasks) + 1):
+            if all(task.done() for task in tasks):
+                return
+            await self.clock()
+        self.check()
+        raise Mismatch(f"an access is not answered after {each * len(tasks)} clocks")
+
+    async def settle(self) -> None:
+        """All that `act` began is answered."""
+        await self._finished([*self._asked.writes, *self._asked.reads])
+        await self.clocks(4)
+        self.check()
+
+    async def finish(self) -> None:
+        """The same, where `act` alone made accesses since `restart`: the answers are the model's, no more."""
+        await self.settle()
+        for what, tasks, write in (
+            ("writes", self._asked.writes, True),
+            ("reads", self._asked.reads, False),
+        ):
+            answers = [answer for task in tasks if (answer := task.result()) is not None]
+            expected = [Answer(a.response, a.bytes) for a in self._model.finished if a.write == write]
+            same(f"answers to {what}", expected, answers)
+
+    async def sweep(self) -> dict[str, int]:
+        """Reads every register."""
+        found = {}
+        for name, register in REGISTERS.items():
+            answer = await self.port.read(register.address)
+            same(f"response of {name}", OKAY, answer and answer.response)
+            found[name] = answer.data if answer else 0
+        self.check()
+        return found
+
+    async def put(self, name: str, word: int) -> int:
+        """Writes a register; the response."""
+        answer = await self.port.write(REGISTERS[name].address, word.to_bytes(WORD_BYTES, "little"))
+        self.check()
+        return -1 if answer is None else answer.response
+
+    async def look(self, name: str) -> int:
+        """Reads a register that can be read."""
+        answer = await self.port.read(REGISTERS[name].address)
+        self.check()
+        same(f"response of {name}", OKAY, answer and answer.response)
+        return answer.data if answer else 0
+
+    def word(self) -> int:
+        """Any word: mostly of few bits, so that numbers are near what the registers can hold."""
+        return int(self.generator.integers(0, 1 << int(self.generator.integers(1, _WORD_W + 1))))
+
+
+@cocotb.test()
+async def the_outputs_are_known_and_right_before_any_reset(dut: Any) -> None:
+    """The first test, on a block that has never been reset: initial values are those of reset."""
+    bench = RegistersBench(dut, context.read())
+    # The edge at time 0 comes before wires have got the initial values of registers.
+    await bench.clock()
+    bench.watch()
+    await bench.clocks(4)
+    bench.check()
+
+
+@cocotb.test()
+async def every_register_has_the_value_and_the_access_of_the_map(dut: Any) -> None:
+    """Values after reset; then words of all kinds: rw keeps what it can, wo holds nothing, ro refuses all."""
+    bench, _ = await RegistersBench.create(dut)
+    expected = {name: register.reset(bench.build) for name, register in REGISTERS.items()}
+    same("values after reset", expected, await bench.sweep())
+    for word in (_ALL, 0, *(bench.word() for _ in range(40))):
+        for name, register in REGISTERS.items():
+            # A start or a reset would be seen elsewhere than in CONTROL.
+            data = word & ~sum(field.mask for field in register.fields if field.access is Access.WO)
+            same(f"write of {name}", OKAY if register.writable else SLVERR, await bench.put(name, data))
+            if register.writable:
+                expected[name] = register.written(expected[name], data, 0xF, bench.build)
+        same(f"values after writes of {word:#x}", expected, await bench.sweep())
+
+
+@cocotb.test()
+async def an_address_without_a_register_is_refused(dut: Any) -> None:
+    """All 256 byte addresses, read and written: nothing changes where the answer is an error."""
+    bench, _ = await RegistersBench.create(dut)
+    before = await bench.sweep()
+    words = {register.address for register in REGISTERS.values()}
+    for address in range(_ADDRESSES):
+        known = address // WORD_BYTES * WORD_BYTES in words
+        answer = await bench.port.read(address)
+        same(f"read of {address:#x}", OKAY if known else SLVERR, answer and answer.response)
+        if not known:
+            same(f"data of {address:#x}", 0, answer and answer.data)
+            answer = await bench.port.write(address, b"\xff")
+            same(f"write of {address:#x}", SLVERR, answer and answer.response)
+    same("registers afterwards", before, await bench.sweep())
+
+
+@cocotb.test()
+async def a_strobe_writes_its_bytes_and_no_others(dut: Any) -> None:
+    """All 16 strobes on every register, also on those bits that start, reset and clear."""
+    bench, _ = await RegistersBench.create(dut)
+    for register in REGISTERS.values():
+        for strobe in range(1 << WORD_BYTES):
+            await bench.restart()
+            await bench.pulse("frame_done", "frame_error", error_code=5)
+            old = await bench.look(register.name)
+            data = bench.word() | bench.word() << 16 & _ALL | 1
+            answer = await bench.port.strobe(register.address, data, strobe)
+            same(
+                f"{register.name}, strobe {strobe:#x}", OKAY if register.writable else SLVERR, answer.response
+            )
+            new = register.written(old, data, strobe, bench.build) if register.writable else old
+            if register.name != "STATUS":
+                same(f"{register.name}, strobe {strobe:#x}", new, await bench.look(register.name))
+            bench.check()
+
+
+@cocotb.test()
+async def address_and_data_come_in_any_order(dut: Any) -> None:
+    """Either is kept back by up to 12 clocks: one write, one response, the right register."""
+    bench, _ = await RegistersBench.create(dut)
+    for late, early in (("aw", "w"), ("w", "aw")):
+        for lead in range(12):
+            await bench.restart()
+            bench.port.pause(early, None)
+            bench.port.pause(late, axi.repeated((True,) * lead))
+            width = 100 + lead
+            await bench.act(Write(REGISTERS["SIZE"].address, width.to_bytes(2, "little"), waits=True))
+            same(f"width, {late} late by {lead}", width, bench.read("width"))
+            await bench.act(Write(REGISTERS["TAN_V"].address, bytes([lead, 0, 0, 0]), waits=True))
+            same(f"tan_v, {late} late by {lead}", lead, bench.read("tan_v"))
+            await bench.finish()
+
+
+@cocotb.test()
+async def ready_never_depends_on_valid_nor_valid_on_ready(dut: Any) -> None:
+    """Inputs flip in the middle of a clock, in every state of the port: no output of it moves."""
+    bench = RegistersBench(dut, context.read())
+    await bench.reset()
+    inputs = [f"s_axil_{name}" for name in ("awvalid", "wvalid", "bready", "arvalid", "rready")]
+    outputs = [f"s_axil_{name}" for name in ("awready", "wready", "bvalid", "arready", "rvalid")]
+    seen = set()
+    for _ in range(400):
+        states = [int(roll) for roll in bench.generator.integers(0, 2, len(inputs))]
+        await bench.clock(**dict(zip(inputs, states, strict=True)))
+        await Timer(PERIOD_NS // 4, "ns")
+        before = [bench.read(name) for name in outputs]
+        seen.add(tuple(before))
+        for flipped, state in zip(inputs, states, strict=True):
+            bench.set(**{flipped: 1 - state})
+            await Timer(1, "ns")
+            same(f"{outputs} when {flipped} flips", before, [bench.read(name) for name in outputs])
+            bench.set(**{flipped: state})
+        await Timer(1, "ns")
+    of_writes, of_reads = 5, 3
+    same("states of the port that were met", of_writes * of_reads, len(seen))
+
+
+@cocotb.test()
+async def go_is_auto_or_a_start_that_waits(dut: Any) -> None:
+    """Auto after reset; without it one frame a start, and STATUS tells that a start waits."""
+    bench, _ = await RegistersBench.create(dut)
+    port = bench.port
+    same("go after reset", 1, bench.read("go"))
+    await port.set("CONTROL", auto=0)
+    await bench.clock()
+    same("go without auto", 0, bench.read("go"))
+    for _ in range(3):
+        await port.set("CONTROL", start=1)
+        await bench.clocks(20)
+        same("go with a start that waits", 1, bench.read("go"))
+        same("STATUS", {"busy": 0, "start": 1}, await port.get("STATUS"))
+        same("CONTROL, which holds no start", {"start": 0, "auto": 0, "reset": 0}, await port.get("CONTROL"))
+        await bench.pulse("frame_start", busy=1)
+        await bench.clock()
+        same("go when the frame has started", 0, bench.read("go"))
+        same("STATUS", {"busy": 1, "start": 0}, await port.get("STATUS"))
+        await bench.pulse("frame_done", busy=0)
+    await port.set("CONTROL", start=1)
+    await port.set("CONTROL", reset=1)
+    await bench.clock()
+    same("go after a reset of the core", 0, bench.read("go"))
+    await port.set("CONTROL", start=1, reset=1)
+    await bench.clock()
+    same("go after a write of start and reset", 1, bench.read("go"))
+    await port.set("CONTROL", auto=1)
+    await bench.pulse("frame_start")
+    await bench.clock()
+    same("go with auto, after a frame's start", 1, bench.read("go"))
+    bench.check()
+
+
+@cocotb.test()
+async def an_event_in_the_clock_of_its_clearing_is_not_lost(dut: Any) -> None:
+    """Done, error and start, at each clock around the write that clears or starts."""
+    bench, _ = await RegistersBench.create(dut)
+    for moment in range(10):
+        for pulses in (("frame_done",), ("frame_error",), ("frame_start",), PULSES):
+            await bench.restart()
+            await bench.port.set("CONTROL", auto=0)
+            await bench.pulse("frame_done", "frame_error")
+            await bench.act(Write(REGISTERS["INTERRUPT"].address, b"\x03", waits=False))
+            await bench.clocks(moment)
+            await bench.pulse(*pulses, error_code=7)
+            await bench.settle()
+            await bench.sweep()
+            await bench.act(Write(REGISTERS["CONTROL"].address, b"\x01", waits=False))
+            await bench.clocks(moment)
+            await bench.pulse(*pulses)
+            await bench.settle()
+            await bench.sweep()
+
+
+@cocotb.test()
+async def the_interrupt_is_high_while_an_enabled_event_is_not_cleared(dut: Any) -> None:
+    """All events, enables and clears: each of two bits on its own."""
+    bench, _ = await RegistersBench.create(dut)
+    for enabled in range(4):
+        for happened in range(4):
+            for cleared in range(4):
+                await bench.restart()
+                await bench.put("INTERRUPT_ENABLE", enabled)
+                await bench.pulse(*(name for bit, name in enumerate(PULSES[1:]) if happened >> bit & 1))
+                await bench.clock()
+                same("irq", int(enabled & happened != 0), bench.read("irq"))
+                same("INTERRUPT", happened, await bench.look("INTERRUPT"))
+                await bench.put("INTERRUPT", cleared)
+                same("INTERRUPT, cleared", happened & ~cleared, await bench.look("INTERRUPT"))
+                same("irq, cleared", int(enabled & happened & ~cleared != 0), bench.read("irq"))
+
+
+@cocotb.test()
+async def a_reset_of_the_core_takes_its_clocks_and_no_register(dut: Any) -> None:
+    """Core_rst is high for exactly so many clocks, and longer where it is written again."""
+    bench, _ = await RegistersBench.create(dut)
+    for name, register in REGISTERS.items():
+        if register.writable and name not in ("CONTROL", "INTERRUPT"):
+            await bench.put(name, 3)
+    await bench.port.set("CONTROL", auto=0)
+    await bench.pulse("frame_done", "frame_error", error_code=9)
+    before = await bench.sweep()
+    await bench.act(Write(REGISTERS["CONTROL"].address, b"\x04", waits=False))
+    high = 0
+    for _ in range(30):
+        await bench.clock()
+        high += bench.read("core_rst")
+    same("clocks of core_rst", RESET_CLOCKS, high)
+    await bench.settle()
+    same("registers", before, await bench.sweep())
+    for _ in range(3):
+        await bench.act(Write(REGISTERS["CONTROL"].address, b"\x04", waits=False))
+    high = 0
+    for _ in range(60):
+        await bench.clock()
+        high += bench.read("core_rst")
+    assert RESET_CLOCKS < high <= 3 * RESET_CLOCKS, f"core_rst is high for {high} clocks of three writes"
+    await bench.settle()
+
+
+@cocotb.test()
+async def the_core_is_read_as_it_is(dut: Any) -> None:
+    """Every counter in its own register, FRAMES and ERROR as frames end."""
+    bench, _ = await RegistersBench.create(dut)
+    frames = code = 0
+    for _ in range(30):
+        shown = {name: bench.word() for name in COUNTERS}
+        busy, fault, drawn = (int(roll) for roll in bench.generator.integers(0, (2, 1 << _CODE_W, 2)))
+        await bench.pulse("frame_done" if drawn else "frame_error", busy=busy, error_code=fault, **shown)
+        frames, code = frames + drawn, 0 if drawn else fault
+        found = await bench.sweep()
+        same("counters", shown, {name: found[name.upper()] for name in COUNTERS})
+        same("FRAMES", frames, found["FRAMES"])
+        same("ERROR", code, found["ERROR"])
+        same("STATUS.busy", busy, REGISTERS["STATUS"].values(found["STATUS"])["busy"])
+
+
+def _actions(resets: bool) -> st.SearchStrategy[list[Action]]:
+    known = st.sampled_from([register.address for register in REGISTERS.values()])
+    written = st.sampled_from([register.address for register in REGISTERS.values() if register.writable])
+    words = st.integers(0, _ALL) | st.integers(0, 8) | st.sampled_from([0x02000200, 0x93CD, 0x1000, 0x80000])
+    waits = st.booleans()
+
+    def write(address: int, offset: int, length: int, word: int, waits: bool) -> Write:
+        return Write(address + offset, word.to_bytes(4, "little")[offset : offset + length], waits)
+
+    write_word = st.builds(write, written, st.just(0), st.just(4), words, waits)
+    write_part = st.builds(write, known | written, st.integers(0, 3), st.integers(1, 4), words, waits)
+    write_nowhere = st.builds(
+        write, st.integers(0, 63).map(lambda word: 4 * word), st.just(0), st.just(4), words, waits
+    )
+    read = st.builds(Read, known | st.integers(0, _ADDRESSES - 1), waits)
+    shown = st.fixed_dictionaries(
+        {"error_code": st.integers(0, (1 << _CODE_W) - 1), "busy": st.integers(0, 1)},
+        optional={name: st.integers(0, _ALL) for name in COUNTERS},
+    )
+    core = st.builds(Core, st.frozensets(st.sampled_from(PULSES)), shown)
+    wait = st.builds(Wait, st.integers(0, 8))
+    kinds: list[st.SearchStrategy[Action]] = [
+        write_word,
+        write_word,
+        write_part,
+        write_nowhere,
+        read,
+        core,
+        core,
+        wait,
+    ]
+    if resets:
+        kinds.append(st.builds(Wait, st.integers(0, 3), st.just(True)))
+    return st.lists(st.one_of(kinds), min_size=1, max_size=30)
+
+
+_PAUSES = st.tuples(*(st.lists(st.booleans(), max_size=6) for _ in axi.CHANNELS))
+
+
+async def _sequence(
+    bench: RegistersBench, actions: Sequence[Action], pauses: Sequence[Sequence[bool]]
+) -> None:
+    await bench.restart(pauses)
+    for action in actions:
+        await bench.act(action)
+    await bench.finish()
+    await bench.sweep()
+
+
+@cocotb.test()
+async def every_sequence_of_accesses_and_events_is_as_the_map_says(dut: Any) -> None:
+    """Drawn accesses, one behind or beside the other, events of the core, pauses of each channel."""
+    bench, run = await RegistersBench.create(dut)
+
+    async def example(actions: list[Action], pauses: Sequence[Sequence[bool]]) -> None:
+        await _sequence(bench, actions, pauses)
+
+    await holds(run, example, _actions(resets=False), _PAUSES)
+
+
+@cocotb.test()
+async def reset_at_any_moment_drops_what_is_under_way(dut: Any) -> None:
+    """The same with resets among them: no answer of before comes after, the next access is exact."""
+    bench, run = await RegistersBench.create(dut)
+
+    async def example(actions: list[Action], pauses: Sequence[Sequence[bool]]) -> None:
+        await _sequence(bench, actions, pauses)
+
+    await holds(run, example, _actions(resets=True), _PAUSES)
+
+
+@cocotb.test()
+async def a_long_run_with_rolled_pauses_is_as_the_map_says(dut: Any) -> None:
+    """Volume: writes and reads at once, the core busy meanwhile, every channel paused by its own dice."""
+    bench, run = await RegistersBench.create(dut)
+    rounds = max(12, run.operands // 4_000)
+    addresses = [register.address for register in REGISTERS.values()]
+    for number in range(rounds):
+        await bench.restart()
+        share = (0.0, 0.3, 0.7)[number % 3]
+        for name in axi.CHANNELS:
+            bench.port.pause(name, axi.rolled(bench.generator.spawn(1)[0], share))
+        for _ in range(40):
+            address = int(bench.generator.choice(addresses))
+            await bench.act(Write(address, bench.word().to_bytes(4, "little"), waits=False))
+            await bench.act(Read(int(bench.generator.choice(addresses)), waits=False))
+            bench.set(**{name: bench.word() for name in COUNTERS})
+            for roll, code in bench.generator.integers(0, (1 << 8, 1 << _CODE_W), (6, 2)).tolist():
+                events = [name for bit, name in enumerate(PULSES) if roll >> bit & 9 == 9]
+                await bench.pulse(*events, error_code=code)
+        await with_timeout(bench.finish(), 100_000 * PERIOD_NS, "ns")
