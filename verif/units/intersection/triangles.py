@@ -75,7 +75,10 @@ def ways(generator: Generator, corner: Corners, size: int) -> Floats:
     lean = 2.0 ** -generator.uniform(1.0, 18.0, size) * generator.choice([-1.0, 0.0, 1.0], size)
     edge_on = vectors.unit(along + square * lean)
     slanted = vectors.unit(square + vectors.directions(generator, size) * generator.uniform(0.0, 1.5, size))
-    chosen = vectors.pick(generator, anywhere, anywhere, slanted, slanted, slanted, square, edge_on)
+    diagonal = vectors.unit(generator.integers(-1, 1, (3, size), endpoint=True).astype(np.float64))
+    chosen = vectors.pick(
+        generator, anywhere, anywhere, slanted, slanted, slanted, square, *(2 * [diagonal]), edge_on
+    )
     return np.where(vectors.length(chosen) > 0.5, chosen, anywhere)
 
 

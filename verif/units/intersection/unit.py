@@ -107,6 +107,7 @@ UNIT = PipelinedUnit(
         Break(_FILE, "t < limit_wide", "t <= limit_wide"),
         Break(_FILE, "b_wide + root_wide", "b_wide - root_wide"),
         Break(_FILE, "y_size >= z_size ?", "y_size > z_size ?"),
+        Break(_FILE, "x_size >= y_size && x_size >= z_size", "x_size >= y_size"),
         Break(
             _FILE,
             "(positive_reg == 3'd0) ^ (negative_reg == 3'd0)",
@@ -114,7 +115,7 @@ UNIT = PipelinedUnit(
         ),
         Break(_FILE, "(positive_reg == 3'd0) ^ (negative_reg == 3'd0)", "&positive_reg ^ &negative_reg"),
         Break(_FILE, "facing_positive == behind_positive", "facing_positive"),
-        Break(_FILE, "localparam NEXT = (corner + 2) % 3", "localparam NEXT = (corner + 1) % 3"),
+        Break(_FILE, "localparam NEXT = (corner + 2) % 3", "localparam NEXT = corner < 2 ? 2 : 1"),
         Break(_FILE, "wire kind_at_along = kind_reg[T_ALONG-1]", "wire kind_at_along = kind_reg[T_ALONG]"),
         Break(_FILE, "{WEIGHT{1'b0}}} >> shift_at_side", "{WEIGHT{1'b0}}} >> seen_shift", set="book"),
     ),
