@@ -19,7 +19,7 @@ JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 option = $(if $($(2)),$(1) '$($(2))')
 
 .DEFAULT_GOAL := help
-.PHONY: help setup render test unit lint format bench book breaks header requirements clean
+.PHONY: help setup render test unit lint format bench book weigh breaks header requirements clean
 
 help: ## lists the commands
 	@echo "Commands (make <command> [NAME=value ...]):"
@@ -63,6 +63,9 @@ bench: $(READY) ## measures: cocotb against a bare C++ loop, the model against t
 
 book: $(READY) ## repeats the book's experiments and writes hdl/BOOK.md: [ONLY=timing]
 	@$(BIN)/python -m verif.book $(ONLY)
+
+weigh: $(READY) ## counts the tests that the scenes need, by kind, for the choice of trace units
+	@$(BIN)/python -m models.weigh
 
 breaks: $(READY) ## breaks the Verilog a line at a time and shows that the benches notice: [UNIT=sqrt] [SIM=icarus]
 	@$(BIN)/python -m verif.env.breaks $(UNIT) $(call option,--sim,SIM)

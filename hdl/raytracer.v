@@ -25,6 +25,7 @@
 //   s_axis_frame_*     AXI4-Stream: the packed frame, 32 bits a word, most significant bit first,
 //                      padded to whole words; `tlast` with the last word
 //   m_axis_video_*     AXI4-Stream: the pixels, {r, g, b}; `tuser` start of frame, `tlast` end of line
+//   picture_*          size of the pictures, from the first frame on
 //   frame_start        one clock: a frame that has been read begins
 //   frame_done         one clock: the last pixel of a frame has been taken
 //   frame_error        one clock: a frame has been refused; `error_code` (RT_FAULT) beside it
@@ -38,7 +39,7 @@
 `include "raytracer.vh"
 
 module raytracer #(
-    parameter UNITS            = 2,
+    parameter UNITS            = `RT_UNITS,
     parameter PIXELS_IN_FLIGHT = 512,
     parameter LEVEL_ROOM       = 256,
     parameter SIZE_W           = 12,
@@ -65,6 +66,8 @@ module raytracer #(
     output wire [3*`RT_CHANNEL_W-1:0] m_axis_video_tdata,
     output wire                        m_axis_video_tuser,
     output wire                        m_axis_video_tlast,
+    output wire [          SIZE_W-1:0] picture_width,
+    output wire [          SIZE_W-1:0] picture_height,
     output wire                        frame_start,
     output wire                        frame_done,
     output wire                        frame_error,
@@ -218,6 +221,9 @@ module raytracer #(
             tan_v_reg  <= tan_v;
         end
     end
+
+    assign picture_width  = width_reg;
+    assign picture_height = height_reg;
 
     // ---------------------------------------------------------------- set-up
     wire camera_start;

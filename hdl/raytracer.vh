@@ -139,6 +139,9 @@
 `define RT_MIN_WEIGHT (1 << (`RT_SHADE_FRAC - 8))
 `define RT_MAX_DEPTH 5
 
+// Trace units of the default build.
+`define RT_UNITS 2
+
 // Fault codes.
 `define RT_FAULT_NONE 0
 `define RT_FAULT_FRAME_SHORT 1

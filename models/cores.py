@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 
 from models.formats import BUILDS, Formats, Knobs, formats
+from models.limits import UNITS
 from models.scene.frame import Capacity, CounterWidths
 from models.scene.types import Scene
 
@@ -15,7 +16,7 @@ class Core:
 
     knobs: Knobs = field(default_factory=Knobs)
     counters: CounterWidths = field(default_factory=CounterWidths)
-    units: int = 2
+    units: int = UNITS
 
     @property
     def formats(self) -> Formats:

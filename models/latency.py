@@ -103,10 +103,29 @@ def _refract(_: Parameters) -> int:
     return _MUL + sine + _MUL + radicand + root + gain + _MUL + total + _RESULT_REGISTER
 
 
+_TABLE = 1
+_FIFO = 2
+
+
+def _trace_unit(parameters: Parameters) -> int:
+    """From a ray's last test to its result, where nothing is before it."""
+    nearest = 1
+    return _TABLE + _intersection(parameters) + nearest + _FIFO
+
+
+def _children(_: Parameters) -> int:
+    return _TABLE + _PRODUCT + _refract({}) + _RESULT_REGISTER
+
+
+def _lighting(_: Parameters) -> int:
+    return _light_vector({}) + _TABLE + _PHONG + _PRODUCT + _RESULT_REGISTER
+
+
 LATENCY: dict[str, Callable[[Parameters], int]] = {
     "add_sub": _constant(1),
     "block_shift": _constant(_BLOCK_SHIFT),
     "camera": _camera,
+    "children": _children,
     "colour_add": _constant(_COLOUR_ADD),
     "cross_product": _constant(_DOT),
     "delay": lambda parameters: parameters.get("DEPTH", 1),
@@ -119,6 +138,8 @@ LATENCY: dict[str, Callable[[Parameters], int]] = {
     "intersection": _intersection,
     "iterate": lambda parameters: parameters.get("STEPS", 20),
     "light_vector": _light_vector,
+    "lighting": _lighting,
+    "merge": _constant(1),
     "mul": _constant(_MUL),
     "mul_piece": _constant(1),
     "norm": _norm,
@@ -132,7 +153,9 @@ LATENCY: dict[str, Callable[[Parameters], int]] = {
     "sqrt": _sqrt,
     "sqrt_iter": lambda parameters: parameters.get("D_W", 40) // 2,
     "sqrt_step": _constant(0),
+    "steps": _constant(1),
     "surface": _constant(_SURFACE),
+    "trace_unit": _trace_unit,
     "unit_vector": _unit_vector,
     "valid_pipe": lambda parameters: parameters.get("LATENCY", 1),
     "vec_mul": _constant(_PRODUCT),

@@ -17,6 +17,9 @@ INFINITY = Fraction(256 * 1024 - 1, 1024)
 MAX_DEPTH = 5
 """Deepest ray of a tree; the primary ray is depth 1."""
 
+UNITS = 2
+"""Trace units of the default build: tests of a ray against an object in one clock."""
+
 MIN_WEIGHT = Fraction(1, 256)
 """A secondary ray is cast where a channel of its weight reaches this."""
 

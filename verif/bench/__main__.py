@@ -18,7 +18,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from models.core import render
-from models.scene.frame import pack
 from verif.core.builds import core_build
 from verif.env.build import CACHE, Build, ensure
 from verif.env.simulators import MissingTool, verilator_root
@@ -68,7 +67,7 @@ def _hash(rgb: NDArray[np.uint8]) -> str:
 
 def _run_bare(binary: Path, job: Job, frame: Path) -> tuple[int, float, str]:
     size = job.registers
-    words = [size.width, size.height, size.tan_h, size.tan_v, frame]
+    words = [*vars(size).values(), frame]
     command = [str(binary), *map(str, words)]
     output = subprocess.run(command, capture_output=True, text=True, check=True, cwd=_FOLDER).stdout
     cycles, seconds, digest = output.split()
@@ -80,7 +79,7 @@ def measure(job: Job, runs: int) -> Figures:
     build = core_build(job.build, job.simulator)
     binary = _link_bare(build)
     frame = _FOLDER / "frame.hex"
-    frame.write_text(pack(job.file.scene).to_hex())
+    frame.write_text(job.frame.to_hex())
     bare, cocotb, model, cycles = [], [], [], 0
     wanted = ""
     for index in range(runs):
@@ -91,9 +90,9 @@ def measure(job: Job, runs: int) -> Figures:
         wanted = wanted or _hash(picture.rgb)
         clocks, seconds, digest = _run_bare(binary, job, frame)
         bare.append(clocks / seconds)
-        drawn = simulate(build, pack(job.file.scene), job.registers, "bench", _FOLDER)
+        drawn = simulate(build, job.frame, job.registers, "bench", _FOLDER, clocks_per_pixel=256)
         cocotb.append(drawn.cpu_seconds)
-        cycles = drawn.cycles
+        cycles = drawn.latency
         if digest != wanted or (drawn.rgb != picture.rgb).any():
             raise ValueError("the contenders did not draw the same picture: the figures mean nothing")
     rtl, bare_rate, ours = statistics.median(cocotb), statistics.median(bare), statistics.median(model)
@@ -109,7 +108,7 @@ def main() -> int:
     parser.add_argument("--runs", type=int, default=5)
     words = parser.parse_args()
     try:
-        job = request(words.scene, words.size, None, "verilator", "default", None)
+        job = request(words.scene, words.size)
     except MissingTool as error:
         print(error, file=sys.stderr)
         return 2

@@ -4,7 +4,7 @@
 // objects as the cocotb build, draws the same frame and prints "cycles cpu_seconds hash", the hash (FNV-1a)
 // being that of the pixels' bytes r, g, b in picture order.
 //
-// Usage: bare width height tan_h tan_v frame.hex
+// Usage: bare width height tan_h tan_v depth frame.hex
 
 #include <cstdint>
 #include <cstdio>
@@ -29,14 +29,16 @@ static std::vector<uint32_t> read_words(const char *path) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 6) return 2;
+    if (argc != 7) return 2;
     Verilated::commandArgs(argc, argv);
     Vtop top;
-    const std::vector<uint32_t> words = read_words(argv[5]);
+    const std::vector<uint32_t> words = read_words(argv[6]);
     top.width = std::atoi(argv[1]);
     top.height = std::atoi(argv[2]);
     top.tan_h = std::atoi(argv[3]);
     top.tan_v = std::atoi(argv[4]);
+    top.depth = std::atoi(argv[5]);
+    top.go = 1;
     top.probe_on = 0;
     top.s_axis_frame_tvalid = 0;
     top.m_axis_video_tready = 1;

@@ -10,6 +10,7 @@ from verif.env.harness import control
 from verif.env.simulators import Simulator
 
 TOP = "core_tb"
+AXI_TOP = "raytracer_axi"
 
 
 def core_build(
@@ -44,4 +45,18 @@ def stepped_build(
         defines={**usual.defines, "RT_CLOCK_FROM_OUTSIDE": 1},
         optimise="-O1",
         timing=False,
+    )
+
+
+def axi_build(simulator: Simulator, waves: bool = False) -> Build:
+    """The core behind its AXI ports, for benches that look at every clock."""
+    core = CORES["default"]
+    return Build(
+        AXI_TOP,
+        simulator,
+        parameters={**core.parameters(), "PIXELS_IN_FLIGHT": 64, "LEVEL_ROOM": 64},
+        defines=defines(core.knobs),
+        waves=waves,
+        control=control(AXI_TOP),
+        label="axi",
     )

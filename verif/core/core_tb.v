@@ -16,6 +16,8 @@
 //   pixels            pixels in the file
 //   unknown           a pixel since reset had an X or a Z in it
 //   latency           clocks from the first word of the frame to its last pixel
+//   breaches, waits   see core_watch; waits: the ray store has no places for the children of a ray of
+//                     depth 1, 2, ..., then no room for primary rays, steps, hits, terms, pixels
 //   probe_x, probe_y  a pixel all of whose events are written to probe.txt, while probe_on is high;
 //                     see probe.py for the lines. probe_done: the pixel is complete
 
@@ -23,7 +25,7 @@
 `include "raytracer.vh"
 
 module core_tb #(
-    parameter UNITS            = 2,
+    parameter UNITS            = `RT_UNITS,
     parameter PIXELS_IN_FLIGHT = 512,
     parameter LEVEL_ROOM       = 256,
     parameter SIZE_W           = 12,
@@ -71,6 +73,8 @@ module core_tb #(
     output reg  [            31:0] pixels,
     output reg                     unknown,
     output reg  [            31:0] latency,
+    output wire [             3:0] breaches,
+    output wire [             8:0] waits,
     input  wire                    probe_on,
     input  wire [      SIZE_W-1:0] probe_x,
     input  wire [      SIZE_W-1:0] probe_y,
@@ -83,7 +87,11 @@ module core_tb #(
 `endif
 
     localparam SLOT_W = $clog2(PIXELS_IN_FLIGHT);
+    localparam OBJECT_W = $clog2((1 << SPHERE_COUNT_W) - 1 + (1 << TRIANGLE_COUNT_W) - 1);
     localparam [31:0] NO_OBJECT = 32'hffffffff;
+
+    wire [SIZE_W-1:0] unused_width;
+    wire [SIZE_W-1:0] unused_height;
 
     raytracer #(
         .UNITS           (UNITS),
@@ -111,6 +119,8 @@ module core_tb #(
         .m_axis_video_tdata (m_axis_video_tdata),
         .m_axis_video_tuser (m_axis_video_tuser),
         .m_axis_video_tlast (m_axis_video_tlast),
+        .picture_width      (unused_width),
+        .picture_height     (unused_height),
         .frame_start        (frame_start),
         .frame_done         (frame_done),
         .frame_error        (frame_error),
@@ -134,7 +144,7 @@ module core_tb #(
     always @(posedge clk) begin
         if (dut.u_shader.at_valid && dut.u_shader.at_depth == 3'd1)
             objects[dut.u_shader.at_slot] <=
-                dut.u_shader.at_hit ? 32'd0 + dut.u_shader.at_own[dut.OBJECT_W-1:0] : NO_OBJECT;
+                dut.u_shader.at_hit ? 32'd0 + dut.u_shader.at_own[OBJECT_W-1:0] : NO_OBJECT;
         if (dut.draw_start) out_slot <= {SLOT_W{1'b0}};
         else if (taken) out_slot <= out_slot + 1'b1;
     end
@@ -223,7 +233,7 @@ module core_tb #(
     always @(posedge clk) begin
         if (at_ray && dut.u_shader.at_hit)
             $fdisplay(log, "hit %0d %h", dut.u_shader.at_depth, {
-                32'd0 + dut.u_shader.at_own[dut.OBJECT_W-1:0], dut.u_shader.at_leaving,
+                32'd0 + dut.u_shader.at_own[OBJECT_W-1:0], dut.u_shader.at_leaving,
                 dut.u_shader.at_direction, dut.u_shader.at_point, dut.u_shader.at_normal});
         if (at_ray && !dut.u_shader.at_hit)
             $fdisplay(log, "miss %0d %h", dut.u_shader.at_depth, dut.u_shader.at_direction);
@@ -250,6 +260,84 @@ module core_tb #(
     endgenerate
 
     assign probe_done = seen;
+
+    // ------------------------------------------------------------- room
+    localparam LEVELS = `RT_MAX_DEPTH - 1;
+    localparam QUEUES = 3 + 4 * UNITS;
+    localparam WAITS = LEVELS + 5;
+    wire [32*LEVELS-1:0] free;
+    wire [32*LEVELS-1:0] stored;
+    wire [2*LEVELS-1:0] child;
+    wire [2*LEVELS-1:0] settled;
+    wire [LEVELS-1:0] no_place;
+    wire [QUEUES-1:0] lost;
+    wire [QUEUES-1:0] empty;
+    wire [UNITS-1:0] no_hit_room;
+    wire [UNITS-1:0] no_term_room;
+
+    generate
+        for (k = 0; k < LEVELS; k = k + 1) begin : g_level
+            wire [$clog2(LEVEL_ROOM):0] held =
+                dut.u_store.g_level[k+2].tail_reg - dut.u_store.g_level[k+2].head_reg;
+
+            assign free[32*k+:32]   = 32'd0 + dut.u_store.g_level[k+2].free_reg;
+            assign stored[32*k+:32] = 32'd0 + held;
+            assign child[2*k+:2]    = {1'b0, dut.child_valid && dut.child_depth == k + 2};
+            assign settled[2*k+:2]  =
+                dut.settle_valid && dut.settle_depth == k + 2 ? dut.settle_count : 2'd0;
+            assign no_place[k]      = !dut.u_store.enough[k+2];
+        end
+
+        for (k = 0; k < UNITS; k = k + 1) begin : g_queue
+            assign lost[4*k+:4] = {
+                dut.g_unit[k].u_trace.u_hit_side.in_valid && !dut.g_unit[k].u_trace.u_hit_side.in_ready,
+                dut.g_unit[k].u_trace.u_hit_found.in_valid && !dut.g_unit[k].u_trace.u_hit_found.in_ready,
+                dut.g_unit[k].u_trace.u_term_side.in_valid && !dut.g_unit[k].u_trace.u_term_side.in_ready,
+                dut.g_unit[k].u_trace.u_term_light.in_valid
+                    && !dut.g_unit[k].u_trace.u_term_light.in_ready
+            };
+            assign empty[4*k+:4] = {
+                dut.g_unit[k].u_trace.u_hit_side.room == dut.ROOM,
+                dut.g_unit[k].u_trace.u_hit_found.room == dut.ROOM,
+                dut.g_unit[k].u_trace.u_term_side.room == dut.ROOM,
+                dut.g_unit[k].u_trace.u_term_light.room == dut.ROOM
+            };
+            assign no_hit_room[k]  = !dut.g_unit[k].u_trace.hit_side_ready;
+            assign no_term_room[k] = !dut.g_unit[k].u_trace.term_side_ready;
+        end
+    endgenerate
+
+    assign lost[QUEUES-1-:3] = {
+        dut.u_primary.in_valid && !dut.u_primary.in_ready,
+        dut.u_shader.u_shadows.in_valid && !dut.u_shader.u_shadows.in_ready,
+        dut.u_shader.u_direct.in_valid && !dut.u_shader.u_direct.in_ready
+    };
+    assign empty[QUEUES-1-:3] = {
+        dut.room_reg == dut.ROOM,
+        dut.u_shader.u_steps.shadow_room_reg == dut.u_shader.ROOM,
+        dut.u_shader.u_steps.direct_room_reg == dut.u_shader.ROOM
+    };
+
+    core_watch #(
+        .LEVELS    (LEVELS),
+        .LEVEL_ROOM(LEVEL_ROOM),
+        .QUEUES    (QUEUES),
+        .WAITS     (WAITS)
+    ) u_watch (
+        .clk       (clk),
+        .rst       (rst),
+        .done      (frame_done),
+        .free      (free),
+        .stored    (stored),
+        .child     (child),
+        .settled   (settled),
+        .queue_lost(lost),
+        .home      (&empty),
+        .waiting   ({!dut.slot_valid, |no_term_room, |no_hit_room,
+                     dut.u_shader.u_steps.valid_reg && !dut.u_shader.u_steps.room, !dut.room, no_place}),
+        .breaches  (breaches),
+        .waits     (waits)
+    );
 
 endmodule
 
