@@ -52,7 +52,7 @@ def targets(generator: Generator, size: int) -> Floats:
     across, outside = (np.stack([-far / 2, -far / 2, far]) for far in (step, beyond))
     chosen = vectors.pick(
         generator,
-        *(inside for _ in range(7)),
+        *(10 * [inside]),
         edge,
         edge + across,
         corner,
@@ -76,9 +76,7 @@ def ways(generator: Generator, corner: Corners, size: int) -> Floats:
     edge_on = vectors.unit(along + square * lean)
     slanted = vectors.unit(square + vectors.directions(generator, size) * generator.uniform(0.0, 1.5, size))
     diagonal = vectors.unit(generator.integers(-1, 1, (3, size), endpoint=True).astype(np.float64))
-    chosen = vectors.pick(
-        generator, anywhere, anywhere, slanted, slanted, slanted, square, *(2 * [diagonal]), edge_on
-    )
+    chosen = vectors.pick(generator, anywhere, *(6 * [slanted]), square, square, diagonal, diagonal, edge_on)
     return np.where(vectors.length(chosen) > 0.5, chosen, anywhere)
 
 
