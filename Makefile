@@ -19,7 +19,7 @@ JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 option = $(if $($(2)),$(1) '$($(2))')
 
 .DEFAULT_GOAL := help
-.PHONY: help setup render test unit lint format bench book weigh breaks header requirements clean
+.PHONY: help setup render video test unit lint format bench book weigh breaks header requirements clean
 
 help: ## lists the commands
 	@echo "Commands (make <command> [NAME=value ...]):"
@@ -39,6 +39,10 @@ $(READY): requirements.txt
 render: $(READY) ## draws a scene through the RTL: [SCENE=file] [SIZE=WxH] [OUT=dir] [SIM=icarus] [BUILD=wide] [DEPTH=n] [PIXEL=x,y]
 	@$(BIN)/python -m verif.render $(call option,--scene,SCENE) $(call option,--size,SIZE) $(call option,--out,OUT) \
 		$(call option,--sim,SIM) $(call option,--build,BUILD) $(call option,--depth,DEPTH) $(call option,--pixel,PIXEL)
+
+video: $(READY) ## films a moving camera through the RTL's screen: [SCENE=file | PICTURES=dir] [FRAMES=n] [RATE=n] [OUT=dir]
+	@$(BIN)/python -m verif.video $(call option,--scene,SCENE) $(call option,--pictures,PICTURES) \
+		$(call option,--frames,FRAMES) $(call option,--rate,RATE) $(call option,--out,OUT)
 
 test: lint ## runs every test
 	@$(BIN)/python -m pytest -n $(JOBS)

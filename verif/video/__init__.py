@@ -1,0 +1,1 @@
+"""Benches of the screen: a monitor that knows only the sync pulses, a recorder, and `make video`."""
