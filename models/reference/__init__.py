@@ -3,6 +3,6 @@
 It shares no arithmetic with the bit-exact model, so that each can be checked against the other.
 """
 
-from models.reference.render import Rendering, render
+from models.reference.render import Rendering, render, sample
 
-__all__ = ["Rendering", "render"]
+__all__ = ["Rendering", "render", "sample"]

@@ -21,9 +21,13 @@ def basis(camera: Camera) -> tuple[Floats, Floats, Floats]:
 
 def primary_directions(camera: Camera, view: View, rows: Ints) -> Floats:
     """Unit directions (3, n) through the centers of the pixels of the rows numbered, row by row."""
+    y, x = np.meshgrid(rows, np.arange(view.width), indexing="ij")
+    return directions(camera, view, x.ravel(), y.ravel())
+
+
+def directions(camera: Camera, view: View, x: Floats | Ints, y: Floats | Ints) -> Floats:
+    """Unit directions (3, n) through places of the picture (n,); a pixel's center is at whole numbers."""
     d, u, v = basis(camera)
-    x = (2 * np.arange(view.width) + 1) / view.width - 1
-    y = (2 * rows + 1) / view.height - 1
-    across = u[:, :, None] * (view.tan_h * x)[None, None, :]
-    down = v[:, :, None] * (view.tan_v * y)[None, :, None]
-    return normalise((d[:, :, None] + across + down).reshape(3, -1))
+    across = u * (view.tan_h * ((2 * x + 1) / view.width - 1))
+    down = v * (view.tan_v * ((2 * y + 1) / view.height - 1))
+    return normalise(d + across + down)

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from models.limits import MAX_DEPTH, MIN_WEIGHT
-from models.reference.camera import primary_directions
+from models.reference.camera import directions, primary_directions
 from models.reference.intersect import Shape, nearest, shapes
 from models.reference.refract import transmitted
 from models.reference.shade import Hits, Materials, hits, local_colour
@@ -69,6 +69,15 @@ def render(
         rgb=to_rgb888(colour).T.reshape(*shape, 3),
         hit=np.concatenate(numbers).astype(np.int32).reshape(shape),
     )
+
+
+def sample(
+    scene: Scene, view: View, x: Floats, y: Floats, *, max_depth: int = MAX_DEPTH
+) -> NDArray[np.uint8]:
+    """Colours (n, 3) at places of the picture (n,) that need not be centers of pixels; raises as `render`."""
+    tracer = _Tracer(scene, max_depth, float(MIN_WEIGHT))
+    colour, _ = tracer.trace(directions(scene.camera, view, x, y))
+    return to_rgb888(colour).T
 
 
 def to_rgb888(colour: Floats) -> NDArray[np.uint8]:

@@ -29,6 +29,7 @@ _FMTS = CORES["default"].formats
 _SCENES = sources.ROOT / "models" / "scenes"
 _PATIENCE = 400_000
 """Clocks after which a frame that has not ended hangs: a small picture with every channel pausing."""
+_ANGLE = 45.0
 _COST = 10
 """A frame behind AXI ports takes so much longer than an operand of a unit."""
 
@@ -106,7 +107,7 @@ class AxiBench:
 
 
 def _view(width: int, height: int, depth: int = MAX_DEPTH) -> Registers:
-    return replace(registers(View.book(width, height), _FMTS), depth=depth)
+    return replace(registers(View.square(width, height, _ANGLE), _FMTS), depth=depth)
 
 
 def _scene(name: str) -> Scene:

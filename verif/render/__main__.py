@@ -6,7 +6,6 @@ the scene is wrong, or a tool is missing, and nothing was written.
 
 import argparse
 import json
-import math
 import shutil
 import sys
 import tempfile
@@ -45,20 +44,14 @@ def _say(text: str) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
-def _allowed(expected: Expected, job: Job) -> int:
-    """Clocks a pixel beyond which the core hangs: many times those that its tests and steps take."""
-    counts, pixels = expected.model.counts, job.view.width * job.view.height
-    work = counts.tests + counts.primary_rays + counts.secondary_rays + counts.shadow_rays
-    return 4 + 4 * math.ceil(work / pixels)
-
-
 def _simulate(job: Job, expected: Expected, pixel: tuple[int, int] | None) -> Drawn:
     size = f"{job.view.width}x{job.view.height}"
     name = f"render-{job.name}-{size}-{job.build}-{job.depth}-{job.simulator}"
     with tempfile.TemporaryDirectory() as scratch:
         build = core_build(job.build, job.simulator)
-        allowed = _allowed(expected, job)
-        drawn = simulate(build, job.frame, job.registers, name, Path(scratch), pixel, allowed)
+        drawn = simulate(
+            build, job.frame, job.registers, name, Path(scratch), pixel, expected.clocks_per_pixel
+        )
     if drawn.fault:
         raise SimulationError(f"the core refused the frame: {Fault(drawn.fault).name}")
     return drawn
@@ -100,6 +93,7 @@ def _table(summary: Summary, out: Path) -> str:
         "picture": f"{summary.width} x {summary.height}, {out / 'rtl.png'}",
         "RTL against bit-exact model": f"{summary.mismatched_pixels} of {summary.pixels} pixels differ",
         "RTL against reference": f"{psnr}, {summary.hit_mismatch_percent:.4f} % other hits",
+        "worst pixel": str(summary.worst_pixels[0]) if summary.worst_pixels else "none",
         "cycles": f"{summary.cycles}, {summary.cycles_per_pixel:.3f} a pixel",
         "rays": f"{summary.primary_rays} primary, {summary.secondary_rays} secondary, "
         f"{summary.shadow_rays} shadow",

@@ -12,11 +12,12 @@ from models.reference import Rendering as ReferenceRendering
 from verif.env.simulators import version
 from verif.render.job import Job
 from verif.render.simulate import Drawn
+from verif.render.worst import WorstPixel, worst_pixels
 
 
 @dataclass(frozen=True)
 class Summary:
-    """What `summary.json` holds.
+    """What `summary.json` holds; worst_pixels: of the RTL against the reference.
 
     mismatched_pixels: RTL against the bit-exact model, colour or object. hit_mismatch_percent: primary
     rays of the RTL that hit another object than the reference's. psnr_db: RTL against the reference, None
@@ -49,6 +50,7 @@ class Summary:
     reference_seconds: float
     simulator: str
     build: str
+    worst_pixels: list[WorstPixel]
 
     def as_dict(self) -> dict[str, object]:
         """Names and values, for JSON."""
@@ -63,6 +65,13 @@ class Expected:
     model_seconds: float
     reference: ReferenceRendering
     reference_seconds: float
+
+    @property
+    def clocks_per_pixel(self) -> int:
+        """More than the core takes, on average: many times what its tests and steps need."""
+        counts = self.model.counts
+        work = counts.tests + counts.primary_rays + counts.secondary_rays + counts.shadow_rays
+        return 4 + 4 * math.ceil(work / counts.primary_rays)
 
 
 def expect(job: Job) -> Expected:
@@ -109,4 +118,5 @@ def summarise(job: Job, drawn: Drawn, expected: Expected) -> Summary:
         reference_seconds=expected.reference_seconds,
         simulator=version(job.simulator),
         build=job.build,
+        worst_pixels=worst_pixels(job.file.scene, job.view, job.depth, drawn.rgb, expected.reference.rgb),
     )
