@@ -12,7 +12,17 @@ from models.scene.load import load
 SCENES = sorted((Path(__file__).parent.parent / "scenes").glob("*.toml"))
 WIDE = CounterWidths(lights=4, spheres=6, triangles=8)
 LARGEST_SIDE = 512
-SHOWPIECES = {"three_spheres", "mirrors", "glass", "shadows", "mesh", "tetrahedron", "room", "spheres_wide"}
+SHOWPIECES = {
+    "three_spheres",
+    "mirrors",
+    "glass",
+    "shadows",
+    "mesh",
+    "tetrahedron",
+    "room",
+    "gem",
+    "spheres_wide",
+}
 
 
 def counters_for(path: Path) -> CounterWidths:
