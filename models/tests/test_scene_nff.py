@@ -3,10 +3,13 @@
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from models.images import psnr_db
+from models.reference import Rendering, render
 from models.scene.errors import SceneError
 from models.scene.nff import parse
 from models.scene.types import SceneFile, View
@@ -186,3 +189,62 @@ def test_the_factor_keeps_all_distances_below_infinity() -> None:
     )
     ((x0, _, _), (x1, _, _), _) = file.scene.triangles[0].vertices
     assert x1 - x0 < 256 * 1024
+
+
+def picture(text: str, size: int = 64) -> Rendering:
+    file = read(text)
+    return render(file.scene, file.view_for(size, size))
+
+
+def test_what_is_right_and_up_in_the_file_is_so_in_the_picture() -> None:
+    """The right is the direction of view times up."""
+    view = VIEW.replace("from 0 0 5", "from 0 -9 0").replace("up 0 1 0", "up 0 0 1")
+    hit = picture(view + FILL + "s 2.5 0 2.5 1\ns 2.5 0 -2.5 0.5\ns -2.5 0 2.5 0.25\n").hit
+    seen = [np.argwhere(hit == number).mean(axis=0) for number in range(3)]
+    assert [[bool(row < 32), bool(column > 32)] for row, column in seen] == [
+        [True, True],
+        [False, True],
+        [True, False],
+    ]
+
+
+@pytest.mark.parametrize("size", ["320 200", "64 64", "10 90"])
+def test_the_angle_is_the_full_vertical_one(size: str) -> None:
+    """A square 4 units high, 8 away, in a view of 10 units there: two fifths of the rows."""
+    angle = math.degrees(2 * math.atan(5 / 8))
+    view = VIEW.replace("from 0 0 5", "from 0 0 8").replace("60", f"{angle}").replace("320 200", size)
+    file = read(view + FILL + "p 4\n-2 -2 0\n2 -2 0\n2 2 0\n-2 2 0\n")
+    hit = render(file.scene, file.view_for(100, 50)).hit
+    assert (hit >= 0).any(axis=1).sum() == 20
+    assert (hit >= 0).any(axis=0).sum() == 20, "pixels are square"
+
+
+def test_a_scene_of_thirds_looks_like_the_same_scene_of_whole_numbers() -> None:
+    def text(unit: float) -> str:
+        def point(*steps: float) -> str:
+            return " ".join(str(step * unit) for step in steps)
+
+        floor = "\n".join(point(x, -2, z) for x, z in ((-9, 9), (9, 9), (9, -9), (-9, -9)))
+        return "\n".join(
+            (
+                f"b 0.2 0.3 0.5\n{VIEW.replace('from 0 0 5', f'from {point(12, 9, 21)}')}",
+                f"l {point(-20, 30, 25)}\nl {point(30, 20, 10)}",
+                f"f 1 0.8 0.6 0.7 0.2 20 0 1\np 4\n{floor}",
+                f"{FILL}s {point(0, 0, 0, 2)}\ns {point(4, -1, 1, 1)}\ns {point(-3, -1, 3, 1)}\n",
+            )
+        )
+
+    thirds, whole = picture(text(1 / 3)).rgb, picture(text(1.0)).rgb
+    assert psnr_db(thirds, whole) > 45
+    assert whole.std() > 20
+
+
+def test_a_flake_of_balls_is_scaled_with_a_small_error() -> None:
+    """A ball with balls of a third of its size around it, whose centers have roots in them."""
+    ring = [(2 / 3 * math.cos(turn), 2 / 3 * math.sin(turn)) for turn in np.arange(6) * np.pi / 3 + 0.26]
+    text = VIEW + FILL + "s 0 0 0 0.5\n" + "".join(f"s {x} {y} 1.1e-16 0.166667\n" for x, y in ring)
+    file = read(text)
+    assert [sphere.radius for sphere in file.scene.spheres] == [30, *[10] * 6]
+    factor, _, error = file.notes[0].removeprefix("scaled by ").partition(", worst error ")
+    assert float(factor) == pytest.approx(7.5, rel=1e-4)
+    assert float(error.partition(" %")[0]) < 0.05
