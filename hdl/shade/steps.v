@@ -10,7 +10,7 @@
 // Parameters
 //   ITEM_W   bits of a hit, which pass unseen
 //   LIGHT_W  bits of a number of lights
-//   ROOM     places of direct terms, and of shadow rays
+//   ROOM     places of direct terms, and of shadow rays, at least 2
 //
 // Ports
 //   lights        of the frame
@@ -51,6 +51,9 @@ module steps #(
     generate
         if (LIGHT_W < 2) begin : g_bad_lights
             steps_needs_a_LIGHT_W_that_counts_to_two error ();
+        end
+        if (ROOM < 2) begin : g_bad_room
+            steps_needs_a_ROOM_of_2_or_more error ();
         end
     endgenerate
 

@@ -29,7 +29,7 @@
 //             of a degenerate one
 //
 // Rate one test a clock, without a gap between rays. Latency from a ray's last test to its result 1
-// (tables) + intersection + 2 + fifo. Results of each kind are in the order of the rays. Nothing
+// (tables) + intersection + 1 + fifo. Results of each kind are in the order of the rays. Nothing
 // stalls between the start of a ray and its result: there is room for it when it starts.
 
 `default_nettype none

@@ -1,0 +1,362 @@
+"""Tests of the trace unit against a model of it, at every clock: when it is free, what it tests and finds."""
+
+from collections import deque
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import cycle
+from typing import Any
+
+import cocotb
+import numpy as np
+from hypothesis import strategies as st
+
+from models.core.trace import MISS
+from models.fixed import RADIUS
+from models.header import selected
+from models.latency import LATENCY
+from models.limits import INFINITY
+from models.scene.types import BLACK, Sphere, Triangle, Vec3
+from verif.env import context
+from verif.env.block import Block, holds, same
+from verif.env.fields import split
+from verif.env.pipelined import Mismatch
+from verif.env.unit import Parameters
+from verif.units.trace_unit import unit
+from verif.units.trace_unit.frames import Job, Lines, Table, drawn_lines, drawn_table, material, scene
+
+_PART = 60
+"""Rays of the long run with one table and one manner."""
+_KINDS = (False, True)
+_IDLE = (0,)
+
+
+@dataclass(frozen=True)
+class Manners:
+    """Of all around the unit; each list is taken over and over.
+
+    waits: clocks before each ray. hits, terms: whether a result of this kind may be taken, clock by clock.
+    """
+
+    waits: Sequence[int] = _IDLE
+    hits: Sequence[bool] = (True,)
+    terms: Sequence[bool] = (True,)
+
+    @property
+    def clocks(self) -> int:
+        """What a ray may take beside its tests."""
+        return max(self.waits) + len(self.hits) + len(self.terms) + 4
+
+
+class Model:
+    """What the unit must do, clock by clock: a ray is taken, its tests follow, its result comes and waits."""
+
+    def __init__(self, p: Parameters) -> None:
+        self._latency, self._room = LATENCY["trace_unit"](p), p["ROOM"]
+        self._ends = 0
+        self._tests: deque[tuple[int, bool]] = deque()
+        self.results: dict[bool, deque[tuple[int, Job]]] = {kind: deque() for kind in _KINDS}
+        self.now = 0
+
+    @property
+    def at_rest(self) -> bool:
+        """Nothing is in it."""
+        return not self._tests and not any(self.results.values())
+
+    def free(self, shadow: bool) -> bool:
+        """Whether a ray of this kind may come in the next clock."""
+        return self.now >= self._ends and len(self.results[shadow]) < self._room
+
+    def tested(self) -> bool:
+        """Whether a test counts in the next clock."""
+        return bool(self._tests) and self._tests[0] == (self.now, True)
+
+    def offered(self, shadow: bool) -> Job | None:
+        """The result of this kind that the next clock shows."""
+        results = self.results[shadow]
+        return results[0][1] if results and results[0][0] <= self.now else None
+
+    def clock(self, job: Job | None, takes: Mapping[bool, bool]) -> None:
+        """A clock passes: a ray comes or not, results are taken or not."""
+        for shadow, take in takes.items():
+            if take and self.offered(shadow) is not None:
+                self.results[shadow].popleft()
+        if self._tests and self._tests[0][0] == self.now:
+            self._tests.popleft()
+        if job is not None:
+            self._ends = self.now + len(job.tests)
+            row = self.now + 2
+            self._tests += [(row + number, counts) for number, counts in enumerate(job.tests)]
+            self.results[job.shadow].append((self._ends + self._latency, job))
+        self.now += 1
+
+
+class TraceBench(Block):
+    """Starts rays where the unit is free, takes results, and compares all outputs at every clock."""
+
+    def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
+        super().__init__(dut, idle=("table_valid", "ray_valid", "shadow_valid", "hit_ready", "term_ready"))
+        self.set(table_index=0, table_geometry=0, objects=0, ray=0, shadow=0)
+        self.parameters = parameters
+        self.model = Model(parameters)
+        self.checked = 0
+
+    async def restart(self) -> None:
+        """Reset, whatever is in flight."""
+        await self.reset()
+        self.model = Model(self.parameters)
+
+    async def load(self, table: Table) -> None:
+        """Writes a frame's table; nothing is in flight."""
+        for index, row in enumerate(table.rows):
+            await self.clock(table_valid=1, table_index=index, table_geometry=row)
+        self.set(table_valid=0, objects=table.number)
+
+    async def step(self, job: Job | None = None, take_hit: bool = True, take_term: bool = True) -> None:
+        """One clock, all outputs checked."""
+        self.set(ray_valid=0, shadow_valid=0, hit_ready=int(take_hit), term_ready=int(take_term))
+        if job is not None and job.shadow:
+            self.set(shadow_valid=1, shadow=job.word)
+        elif job is not None:
+            self.set(ray_valid=1, ray=job.word)
+        await self.clock()
+        self._check("ray_free", self.model.free(False))
+        self._check("shadow_free", self.model.free(True))
+        self._check("tested", self.model.tested())
+        self._result(False, "hit")
+        self._result(True, "term")
+        self.model.clock(job, {False: take_hit, True: take_term})
+
+    def _check(self, name: str, expected: bool) -> None:
+        same(f"{name} at clock {self.now}", int(expected), self.read(name))
+
+    def _result(self, shadow: bool, name: str) -> None:
+        job = self.model.offered(shadow)
+        self._check(f"{name}_valid", job is not None)
+        if job is not None:
+            self.checked += 1
+            got = self.read(name)
+            if (got ^ job.result) >> job.open_bits:
+                ports = unit.term(self.parameters) if shadow else unit.hit(self.parameters)
+                expected, found = (split(ports, [word]) for word in (job.result, got))
+                wrong = [port.name for port in ports if (expected[port.name] != found[port.name]).any()]
+                raise Mismatch(f"{name} at clock {self.now}, {wrong}: expected {expected}, got {found}")
+
+    async def play(self, jobs: Sequence[Job], manners: Manners = Manners(), most: int | None = None) -> int:
+        """Starts rays as soon as the unit is free, until the last one has started, or for so many clocks; the
+        number of rays that have started."""
+        waits, hits, terms = cycle(manners.waits), cycle((*manners.hits, True)), cycle((*manners.terms, True))
+        started, wait = 0, next(waits)
+        limit = sum(len(job.tests) + manners.clocks for job in jobs) + 2 * LATENCY["trace_unit"](
+            self.parameters
+        )
+        for _ in range(limit if most is None else most):
+            if started == len(jobs):
+                return started
+            wait -= 1
+            goes = wait < 0 and self.model.free(jobs[started].shadow)
+            await self.step(jobs[started] if goes else None, next(hits), next(terms))
+            if goes:
+                started, wait = started + 1, next(waits)
+        if most is None:
+            raise Mismatch(f"{started} of {len(jobs)} rays have started after {limit} clocks")
+        return started
+
+    async def drain(self, manners: Manners = Manners()) -> None:
+        """All results come, and then nothing."""
+        hits, terms = cycle((*manners.hits, True)), cycle((*manners.terms, True))
+        while not self.model.at_rest:
+            await self.step(None, next(hits), next(terms))
+        for _ in range(4):
+            await self.step()
+
+    async def frame(self, table: Table, jobs: Sequence[Job], manners: Manners = Manners()) -> None:
+        """A whole frame."""
+        await self.load(table)
+        await self.play(jobs, manners)
+        await self.drain(manners)
+
+
+@dataclass(frozen=True)
+class Frame:
+    """What is drawn of a frame: numbers of objects, kinds of rays, and the seed of all else."""
+
+    spheres: int
+    triangles: int
+    kinds: Sequence[bool]
+    seed: int
+
+    def make(self, p: Parameters) -> tuple[Table, list[Job]]:
+        """Its table, and its rays."""
+        generator = np.random.default_rng(self.seed)
+        flats = min(self.triangles, p["OBJECTS"] - self.spheres)
+        table = drawn_table(generator, self.spheres, flats, p)
+        lines = drawn_lines(generator, table, len(self.kinds), p)
+        return table, table.jobs(lines, self.kinds, generator)
+
+
+def _frames(p: Parameters) -> st.SearchStrategy[Frame]:
+    few = st.integers(0, 2) | st.integers(0, p["OBJECTS"])
+    kinds = st.lists(st.booleans(), min_size=1, max_size=3 * min(p["ROOM"], 8))
+    return st.builds(Frame, few, few, kinds, st.integers(0, (1 << 32) - 1))
+
+
+def _manners() -> st.SearchStrategy[Manners]:
+    waits = st.lists(st.sampled_from([0, 0, 0, 1, 2, 9, 60]), min_size=1, max_size=5)
+    takes = st.just([True]) | st.lists(st.booleans(), min_size=1, max_size=12)
+    return st.builds(Manners, waits, takes, takes)
+
+
+async def _bench(dut: Any) -> tuple[TraceBench, context.Context]:
+    run = context.read()
+    bench = TraceBench(dut, run.parameters)
+    await bench.restart()
+    return bench, run
+
+
+@cocotb.test()
+async def every_ray_finds_what_the_model_finds_when_it_must(dut: Any) -> None:
+    """Drawn tables and rays of both kinds, gaps and stalls; one frame behind the other."""
+    bench, run = await _bench(dut)
+
+    async def example(first: Frame, second: Frame, manners: Manners) -> None:
+        await bench.restart()
+        for drawn in (first, second):
+            await bench.frame(*drawn.make(run.parameters), manners)
+
+    await holds(run, example, _frames(run.parameters), _frames(run.parameters), _manners(), cost=4)
+
+
+@cocotb.test()
+async def a_long_run_of_both_kinds_matches_the_model(dut: Any) -> None:
+    """Volume: seeded tables of all sizes, rays back to back and with gaps by turns."""
+    bench, run = await _bench(dut)
+    generator, end = run.generator(0), bench.now + max(300, run.operands // 5)
+    while bench.now < end:
+        spheres, triangles = generator.integers(0, run.parameters["OBJECTS"], 2, endpoint=True).tolist()
+        kinds = (generator.random(_PART) < generator.random()).tolist()
+        rushed = generator.random() < 0.5
+        waits = _IDLE if rushed else generator.integers(0, 9, 20).tolist()
+        takes = (generator.random((2, 20)) < generator.choice([0.2, 1.0], (2, 1))).tolist()
+        frame = Frame(spheres, triangles, kinds, int(generator.integers(1 << 32)))
+        await bench.frame(*frame.make(run.parameters), Manners(waits, *takes))
+    bench.log.info("%d results checked", bench.checked)
+
+
+def _lines(p: Parameters, own: Sequence[int], origin: Vec3, direction: Vec3) -> Lines:
+    """One line over and over, that starts on one triangle or another; its light is 1."""
+    fmts, size = selected(p), len(own)
+
+    def column(vector: Vec3, one: int) -> Any:
+        return np.repeat(np.array(vector, dtype=np.int64).reshape(3, 1) * one, size, axis=1)
+
+    return Lines(
+        column(origin, fmts.point.one),
+        column(direction, fmts.unit.one),
+        np.array(own, dtype=np.int64),
+        np.full(size, int(INFINITY * fmts.point.one)),
+        column((1, 1, 1), fmts.shade.one),
+        column(BLACK, 0),
+    )
+
+
+_FACING: tuple[Vec3, Vec3, Vec3] = ((-4096, -4096, 0), (4096, -4096, 0), (0, 4096, 0))
+_HALF: Vec3 = (512, 512, 512)
+_AHEAD: tuple[Vec3, Vec3] = ((0, 0, -4), (0, 0, 1))
+
+
+@cocotb.test()
+async def of_equal_distances_the_lowest_number_is_found_but_never_a_rays_own(dut: Any) -> None:
+    """As many equal triangles as there is room for, two, and one; a ray starts on none and on each of them.
+    Light loses half at each triangle but its own."""
+    bench, run = await _bench(dut)
+    fmts, generator = selected(run.parameters), run.generator(1)
+    for number in (run.parameters["OBJECTS"], 2, 1):
+        table = Table(scene((), [Triangle(material(_HALF), _FACING)] * number), run.parameters)
+        own = [MISS, *range(number)]
+        lines = _lines(run.parameters, own, *_AHEAD)
+        rays = table.jobs(lines, [False] * len(own), generator)
+        shadows = table.jobs(lines, [True] * len(own), generator)
+        for job, mine in zip(rays, own, strict=True):
+            left = [other for other in range(number) if other != mine]
+            hit = split(unit.hit(run.parameters), [job.result])
+            same(f"hit of {number} triangles", int(bool(left)), int(hit["hit"][0]))
+            if left:
+                same(f"number of the nearest of {number} triangles", left[0], int(hit["number"][0]))
+        for job, mine in zip(shadows, own, strict=True):
+            passed = number - (mine != MISS)
+            light = split(unit.term(run.parameters), [job.result])["sum"][:, 0].tolist()
+            same(f"light behind {passed} triangles", [fmts.shade.one >> passed] * 3, light)
+        await bench.frame(table, [job for pair in zip(rays, shadows, strict=True) for job in pair])
+
+
+@cocotb.test()
+async def a_ray_that_starts_on_a_sphere_may_meet_it_again(dut: Any) -> None:
+    """From within: its far side, which filters light too, and hides what is behind."""
+    bench, run = await _bench(dut)
+    ball = Sphere(material(_HALF), BLACK, RADIUS.max)
+    table = Table(scene([ball] * 2, ()), run.parameters)
+    jobs = table.jobs(
+        _lines(run.parameters, [MISS] * 4, BLACK, (0, 0, 1)), [False, True] * 2, run.generator(2)
+    )
+    hit = split(unit.hit(run.parameters), [jobs[0].result])
+    same("hit, number, leaving", [1, 0, 1], [int(hit[name][0]) for name in ("hit", "number", "leaving")])
+    await bench.frame(table, jobs)
+
+
+@cocotb.test()
+async def one_test_a_clock_without_a_gap_between_rays(dut: Any) -> None:
+    """Rays of both kinds, back to back, with all objects, one, and none: each takes its tests, or a clock."""
+    bench, run = await _bench(dut)
+    most = run.parameters["OBJECTS"]
+    for spheres, triangles in ((most - 1, 1), (1, most - 1), (0, 1), (1, 0), (0, 0)):
+        # Results of one kind come as fast as they are taken, so the room behind the tests is no limit.
+        kinds = [bool(number % 2) for number in range(min(2 * run.parameters["ROOM"], 30))]
+        frame = Frame(spheres, triangles, kinds, int(run.generator(3).integers(1 << 32)))
+        table, jobs = frame.make(run.parameters)
+        await bench.load(table)
+        start = bench.now
+        await bench.play(jobs)
+        tests = [len(job.tests) for job in jobs]
+        same("clocks", sum(tests[:-1]) + 1, bench.now - start)
+        same("tests of a ray", True, all(spheres + triangles - 1 <= count <= most for count in tests))
+        await bench.drain()
+
+
+@cocotb.test()
+async def a_consumer_that_stops_stops_its_kind_alone_and_nothing_is_lost(dut: Any) -> None:
+    """Nobody takes results of a kind: as many rays start as there is room; the other kind goes on."""
+    bench, run = await _bench(dut)
+    room = run.parameters["ROOM"]
+    for stopped in _KINDS:
+        kinds = [stopped] * (room + 1) + [not stopped] * 10
+        table, jobs = Frame(1, 1, kinds, int(run.generator(4).integers(1 << 32))).make(run.parameters)
+        waiting, late, others = jobs[:room], jobs[room], jobs[room + 1 :]
+        takes = (stopped, not stopped)
+        await bench.load(table)
+        for job in (*waiting, *others):
+            while not bench.model.free(job.shadow):
+                await bench.step(None, *takes)
+            await bench.step(job, *takes)
+        for _ in range(2 * LATENCY["trace_unit"](run.parameters)):
+            await bench.step(None, *takes)
+        same("results that wait", room, len(bench.model.results[stopped]))
+        same("results of the other kind that wait", 0, len(bench.model.results[not stopped]))
+        await bench.play([late])
+        await bench.drain()
+
+
+@cocotb.test()
+async def reset_at_any_moment_empties_it(dut: Any) -> None:
+    """No result of before comes, and it is free at once; the next frame is whole."""
+    bench, run = await _bench(dut)
+
+    async def example(before: Frame, clocks: int, after: Frame, manners: Manners) -> None:
+        table, jobs = before.make(run.parameters)
+        await bench.load(table)
+        await bench.play(jobs, manners, most=clocks)
+        await bench.restart()
+        await bench.drain()
+        await bench.frame(*after.make(run.parameters), manners)
+
+    moments = st.integers(0, 20) | st.integers(0, 200)
+    await holds(run, example, _frames(run.parameters), moments, _frames(run.parameters), _manners(), cost=6)
