@@ -68,8 +68,7 @@ module intersection #(
     localparam FRAC = `RT_POINT_FRAC;
     localparam UNIT_W = `RT_UNIT_W;
     localparam OFFSET_W = `RT_OFFSET_W;
-    localparam REACH_W = `RT_REACH_W;
-    localparam SHIFT_W = $clog2(REACH_W);
+    localparam SHIFT_W = $clog2(`RT_REACH_W);
     localparam ROOT_W = `RT_HALF_CHORD_W;
     localparam RADIUS_SQ_W = `RT_RADIUS_SQ_W;
     // A number of POINT_W bits as two operands: an unsigned piece and the signed rest above it.
@@ -77,8 +76,7 @@ module intersection #(
     localparam OPERAND_W = PIECE_W + 1;
 
     // Clocks at which things are there, counted from the operands.
-    localparam T_REACH = 1;
-    localparam T_SEEN = T_REACH + 2;
+    localparam T_SEEN = 3;
     localparam T_ALONG = T_SEEN + 5;
     localparam T_FOOT = T_ALONG + 4;
     localparam T_OFFSET = T_FOOT + 1;
@@ -88,8 +86,7 @@ module intersection #(
     localparam T_HIT = T_ENDS + 1;
 
     generate
-        if (POINT_W <= PIECE_W || POINT_W > PIECE_W + OPERAND_W || UNIT_W > OPERAND_W
-            || REACH_W != POINT_W + 1) begin : g_bad_formats
+        if (POINT_W <= PIECE_W || POINT_W > PIECE_W + OPERAND_W || UNIT_W > OPERAND_W) begin : g_bad_formats
             intersection_needs_formats_that_two_operands_of_18_bits_hold error ();
         end
     endgenerate
@@ -118,84 +115,21 @@ module intersection #(
     wire kind_at_offset = kind_reg[T_OFFSET-1];
     wire kind_at_ends = kind_reg[T_ENDS-1];
 
-    // ------------------------------------------------ corners seen from the origin, exact
-    reg [9*REACH_W-1:0] reach_reg;
-
-    generate
-        for (corner = 0; corner < 3; corner = corner + 1) begin : g_corner
-            for (lane = 0; lane < 3; lane = lane + 1) begin : g_lane
-                wire [`RT_COORD_W-1:0] place = vertices[(3*corner+lane)*`RT_COORD_W+:`RT_COORD_W];
-                wire [POINT_W-1:0] start = origin[lane*POINT_W+:POINT_W];
-                wire [REACH_W-1:0] place_wide = {
-                    {REACH_W - `RT_COORD_W - FRAC + `RT_COORD_FRAC{place[`RT_COORD_W-1]}},
-                    place,
-                    {FRAC - `RT_COORD_FRAC{1'b0}}
-                };
-
-                always @(posedge clk)
-                    reach_reg[(3*corner+lane)*REACH_W+:REACH_W] <=
-                        place_wide - {start[POINT_W-1], start};
-            end
-        end
-    endgenerate
-
+    // ------------------------------------------------ corners, or a center, seen from the origin
     // p0 is in the most significant bits: A is corner 2, B corner 1, C corner 0.
     wire [9*UNIT_W-1:0] seen;
     wire [SHIFT_W-1:0] seen_shift;
+    wire [3*POINT_W-1:0] center_seen;
 
-    generate
-        for (corner = 0; corner < 3; corner = corner + 1) begin : g_seen
-            wire unused_valid;
-            wire unused_tag;
-            wire [SHIFT_W-1:0] shift;
-
-            block_shift #(
-                .IN_W (REACH_W),
-                .OUT_W(UNIT_W),
-                .LANES(3)
-            ) u_block_shift (
-                .clk      (clk),
-                .rst      (rst),
-                .in_valid (1'b0),
-                .in_tag   (1'b0),
-                .a        (reach_reg[3*corner*REACH_W+:3*REACH_W]),
-                .out_valid(unused_valid),
-                .out_tag  (unused_tag),
-                .p        (seen[3*corner*UNIT_W+:3*UNIT_W]),
-                .shift    (shift)
-            );
-
-            if (corner == 2) begin : g_shift
-                assign seen_shift = shift;
-            end else begin : g_spare
-                wire unused_shift = &{1'b0, shift};
-            end
-        end
-    endgenerate
-
-    // A sphere's center, saturated
-    wire [3*POINT_W-1:0] center_next;
-    reg [3*POINT_W-1:0] center_reg;
-    reg [3*POINT_W-1:0] center_seen_reg;
-
-    generate
-        for (lane = 0; lane < 3; lane = lane + 1) begin : g_center
-            resize #(
-                .IN_INT  (`RT_REACH_INT),
-                .IN_FRAC (FRAC),
-                .OUT_INT (`RT_POINT_INT),
-                .OUT_FRAC(FRAC)
-            ) u_resize (
-                .in (reach_reg[(6+lane)*REACH_W+:REACH_W]),
-                .out(center_next[lane*POINT_W+:POINT_W])
-            );
-        end
-    endgenerate
-
-    always @(posedge clk) begin
-        center_reg      <= center_next;
-        center_seen_reg <= center_reg;
-    end
+    corners u_corners (
+        .clk     (clk),
+        .rst     (rst),
+        .origin  (origin),
+        .vertices(vertices),
+        .seen    (seen),
+        .shift   (seen_shift),
+        .center  (center_seen)
+    );
 
     wire [3*UNIT_W-1:0] direction_at_seen;
     wire [3*UNIT_W-1:0] shape_at_seen;
@@ -216,7 +150,7 @@ module intersection #(
 
     generate
         for (lane = 0; lane < 3; lane = lane + 1) begin : g_bank1
-            wire [POINT_W-1:0] c = center_seen_reg[lane*POINT_W+:POINT_W];
+            wire [POINT_W-1:0] c = center_seen[lane*POINT_W+:POINT_W];
             wire [UNIT_W-1:0] a = seen[(6+lane)*UNIT_W+:UNIT_W];
             wire [UNIT_W-1:0] i = direction_at_seen[lane*UNIT_W+:UNIT_W];
             wire [OPERAND_W-1:0] rest =
@@ -292,119 +226,54 @@ module intersection #(
     always @(posedge clk) along_reg <= along_next;
 
     // ------------------------------------------------ a triangle's distance: |N.A| / |N.I|
-    localparam PLANE_W = `RT_PLANE_W;
-    localparam FACING_W = `RT_FACING_W;
-    localparam NEAR_INT = 8;
-    localparam QUOTIENT_W = NEAR_INT + FRAC;
-    // Weight of a mantissa's lowest bit in RT_PLANE's, before its own shift.
-    localparam WEIGHT = `RT_REACH_INT - 1 + `RT_PLANE_FRAC - `RT_UNIT_FRAC - UNIT_W + 1;
-    localparam BEHIND_W = SUM_W + (WEIGHT > 0 ? WEIGHT : 0);
-    localparam FACING_DROP = 2 * `RT_UNIT_FRAC - `RT_FACING_FRAC;
-
-    reg [SUM_W-1:0] behind_reg;
-    reg [SUM_W-1:0] facing_reg;
-    reg [1:0] side_reg;
-    wire [SHIFT_W-1:0] shift_at_side;
-
-    delay #(
-        .WIDTH(SHIFT_W),
-        .DEPTH(5)
-    ) u_shift (
-        .clk(clk),
-        .rst(rst),
-        .in (seen_shift),
-        .out(shift_at_side)
-    );
-
-    wire behind_negative = upper_sum_reg[SUM_W-1];
-    wire facing_negative = lower_sum_reg[SUM_W-1];
-    wire behind_positive = !behind_negative && upper_sum_reg != {SUM_W{1'b0}};
-    wire facing_positive = !facing_negative && lower_sum_reg != {SUM_W{1'b0}};
-
-    always @(posedge clk) begin
-        behind_reg <= behind_negative ? -upper_sum_reg : upper_sum_reg;
-        facing_reg <= facing_negative ? -lower_sum_reg : lower_sum_reg;
-        side_reg   <= {facing_positive, facing_positive == behind_positive};
-    end
-
-    wire [BEHIND_W-1:0] plane_wide;
-    reg [PLANE_W-1:0] plane_reg;
-    reg [FACING_W-1:0] across_reg;
-    reg [1:0] plane_side_reg;
-
-    generate
-        if (WEIGHT > 0) begin : g_raise
-            assign plane_wide = {behind_reg, {WEIGHT{1'b0}}} >> shift_at_side;
-        end else begin : g_lower
-            wire [BEHIND_W-1:0] lowered = behind_reg >> -WEIGHT;
-            assign plane_wide = lowered >> shift_at_side;
-        end
-    endgenerate
-
-    wire plane_over = plane_wide[BEHIND_W-1:PLANE_W] != {BEHIND_W - PLANE_W{1'b0}};
-    wire [SUM_W-FACING_DROP-1:0] across_wide = facing_reg[SUM_W-1:FACING_DROP];
-    wire across_over =
-        across_wide[SUM_W-FACING_DROP-1:FACING_W] != {SUM_W - FACING_DROP - FACING_W{1'b0}};
-
-    generate
-        if (FACING_DROP > 0) begin : g_drop
-            wire unused_facing = &{1'b0, facing_reg[FACING_DROP-1:0]};
-        end
-    endgenerate
-
-    always @(posedge clk) begin
-        plane_reg      <= plane_wide[PLANE_W-1:0] | {PLANE_W{plane_over}};
-        across_reg     <= across_wide[FACING_W-1:0] | {FACING_W{across_over}};
-        plane_side_reg <= side_reg;
-    end
-
-    // Where the distance is not below 2^NEAR_INT, or the ray is parallel, the quotient means nothing.
-    wire too_far = {{FACING_W{1'b0}}, plane_reg} >= {{PLANE_W - NEAR_INT{1'b0}}, across_reg, {NEAR_INT{1'b0}}};
-    wire unused_quotient_valid;
-    wire [FACING_W-1:0] unused_quotient_rest;
-    wire [2:0] quotient_side;
+    localparam QUOTIENT_W = 8 + FRAC;
+    localparam T_QUOTIENT = T_ALONG - 1 + 2 + QUOTIENT_W;
+    wire [SHIFT_W-1:0] shift_at_sums;
     wire [QUOTIENT_W-1:0] quotient;
-    localparam UPPER_W = PLANE_W - NEAR_INT;
-    wire unused_upper = &{1'b0, plane_reg[PLANE_W-1:NEAR_INT+FACING_W]};
-
-    div_core #(
-        .DEN_W (FACING_W),
-        .QUOT_W(QUOTIENT_W),
-        .TAG_W (3)
-    ) u_quotient (
-        .clk      (clk),
-        .rst      (rst),
-        .in_valid (1'b0),
-        .in_tag   ({plane_side_reg, too_far}),
-        .upper    (plane_reg[NEAR_INT+:FACING_W]),
-        .lower    ({plane_reg[NEAR_INT-1:0], {FRAC{1'b0}}}),
-        .den      (across_reg),
-        .out_valid(unused_quotient_valid),
-        .out_tag  (quotient_side),
-        .quotient (quotient),
-        .remainder(unused_quotient_rest)
-    );
-
-    localparam T_QUOTIENT = T_SEEN + 6 + QUOTIENT_W;
+    wire quotient_away;
+    wire quotient_possible;
     wire [QUOTIENT_W-1:0] flat_distance;
     wire flat_away;
-    wire flat_ahead;
-    wire flat_far;
+    wire flat_possible;
 
     generate
-        if (UPPER_W < FACING_W || T_QUOTIENT > T_ENDS) begin : g_bad_distance
+        if (T_QUOTIENT > T_ENDS) begin : g_bad_distance
             intersection_needs_a_square_root_longer_than_its_division error ();
         end
     endgenerate
 
     delay #(
-        .WIDTH(QUOTIENT_W + 3),
+        .WIDTH(SHIFT_W),
+        .DEPTH(T_ALONG - 1 - T_SEEN)
+    ) u_shift (
+        .clk(clk),
+        .rst(rst),
+        .in (seen_shift),
+        .out(shift_at_sums)
+    );
+
+    plane_distance #(
+        .SUM_W     (SUM_W),
+        .QUOTIENT_W(QUOTIENT_W)
+    ) u_plane (
+        .clk     (clk),
+        .rst     (rst),
+        .behind  (upper_sum_reg),
+        .facing  (lower_sum_reg),
+        .shift   (shift_at_sums),
+        .distance(quotient),
+        .away    (quotient_away),
+        .possible(quotient_possible)
+    );
+
+    delay #(
+        .WIDTH(QUOTIENT_W + 2),
         .DEPTH(T_ENDS - T_QUOTIENT)
     ) u_flat (
         .clk(clk),
         .rst(rst),
-        .in ({quotient & {QUOTIENT_W{!quotient_side[0]}}, quotient_side}),
-        .out({flat_distance, flat_away, flat_ahead, flat_far})
+        .in ({quotient, quotient_away, quotient_possible}),
+        .out({flat_distance, flat_away, flat_possible})
     );
 
     // ------------------------------------------------ bank 2: b I, or corners moved along the ray
@@ -571,7 +440,7 @@ module intersection #(
     ) u_center (
         .clk(clk),
         .rst(rst),
-        .in (center_seen_reg),
+        .in (center_seen),
         .out(center_at_foot)
     );
 
@@ -774,7 +643,7 @@ module intersection #(
     wire signed [POINT_W:0] round_distance = far_end ? far_reg : near_reg;
     wire signed [POINT_W:0] t =
         kind_at_ends ? {{POINT_W + 1 - QUOTIENT_W{1'b0}}, flat_distance} : round_distance;
-    wire possible = kind_at_ends ? is_inside && flat_ahead && !flat_far : !negative_root_reg;
+    wire possible = kind_at_ends ? is_inside && flat_possible : !negative_root_reg;
     wire signed [POINT_W:0] limit_wide = {limit_at_ends[POINT_W-1], limit_at_ends};
     wire [POINT_W-1:0] t_point;
     reg hit_reg;

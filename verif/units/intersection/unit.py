@@ -93,6 +93,7 @@ def _directed(p: Parameters, generator: Generator, size: int) -> Operands:
 
 
 _FILE = "trace/intersection.v"
+_PLANE = "trace/plane_distance.v"
 
 UNIT = PipelinedUnit(
     name="intersection",
@@ -114,9 +115,11 @@ UNIT = PipelinedUnit(
             "(positive_reg == 3'd0) | (negative_reg == 3'd0)",
         ),
         Break(_FILE, "(positive_reg == 3'd0) ^ (negative_reg == 3'd0)", "&positive_reg ^ &negative_reg"),
-        Break(_FILE, "facing_positive == behind_positive", "facing_positive"),
+        Break(_PLANE, "facing_positive == behind_positive", "facing_positive"),
         Break(_FILE, "localparam NEXT = (corner + 2) % 3", "localparam NEXT = corner < 2 ? 2 : 1"),
         Break(_FILE, "wire kind_at_along = kind_reg[T_ALONG-1]", "wire kind_at_along = kind_reg[T_ALONG]"),
-        Break(_FILE, "{WEIGHT{1'b0}}} >> shift_at_side", "{WEIGHT{1'b0}}} >> seen_shift", set="book"),
+        Break(_PLANE, "{WEIGHT{1'b0}}} >> shift_reg", "{WEIGHT{1'b0}}} >> shift", set="book"),
+        Break(_PLANE, "behind_negative ? -behind : behind", "behind"),
+        Break("trace/corners.v", "center_late_reg <= center_reg", "center_late_reg <= center_next"),
     ),
 )
