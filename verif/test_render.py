@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from models import images
+from models.cores import CORES
 from models.scene.frame import pack
 from models.scene.load import load
 from verif.core.builds import core_build
@@ -37,6 +38,45 @@ l 3 4 5
 f 0.5 0.75 0.25 0.5 0 20 0 0
 s 0 0 0 1
 """
+
+THIRD_PARTY = """\
+# as other programs write them: comments, blank lines, two lights, polygons of any number of corners
+
+v
+from 2.1 1.3 1.7
+at 0 0 0
+up 0 0 1
+angle 45
+hither 0.01
+resolution 24 18
+b 0.078 0.361 0.753
+l 4 3 2 0.8 0.8 0.8
+l 1 -4 4
+f 1 0.75 0.33 0.8 0 0 0 0
+p 4
+12 12 -0.5
+-12 12 -0.5
+-12 -12 -0.5
+12 -12 -0.5
+f 1 0.9 0.7 0.5 0.5 30.0827 0 0
+s 0 0 0 0.5
+s 0.272166 0.272166 0.544331 0.166667
+f 0.2 0.4 0.6 0.3 0.1 20 0.6 1.5
+s 0.643951 0.172546 0 0.166667
+pp 3
+0.4 0.4 0.5 0 0 1
+0.9 0.2 0.4 0 0 1
+0.5 0.9 0.6 0 0 1
+"""
+"""In the way of the Standard Procedural Databases."""
+
+MORE_SPHERES = THIRD_PARTY + "".join(f"s {x} -0.5 0.2 0.125\n" for x in (-0.5, 0, 0.5))
+"""More than the default build holds."""
+
+
+def _crowd(spheres: int) -> str:
+    """More spheres than any build holds."""
+    return THIRD_PARTY + "".join(f"s {number / 16} -1 0 0.125\n" for number in range(spheres))
 
 
 @dataclass(frozen=True)
@@ -79,7 +119,21 @@ def _drawn(out: Path, width: int, height: int) -> dict[str, object]:
     assert set(summary) == {field.name for field in fields(Summary)}
     assert (summary["width"], summary["height"], summary["pixels"]) == (width, height, width * height)
     assert summary["mismatched_pixels"] == 0
+    _counted(summary)
     return summary
+
+
+def _counted(summary: Mapping[str, object]) -> None:
+    """The counters fit to each other and to the model's."""
+    names = ("pixels", "primary_rays", "secondary_rays", "shadow_rays", "tests", "units", "cycles", "depth")
+    pixels, primary, secondary, shadow, tests, units, cycles, depth = (int(str(summary[n])) for n in names)
+    assert primary == pixels
+    assert 0 <= secondary <= pixels * (2**depth - 2)
+    assert tests <= units * cycles
+    assert (tests > 0) >= (secondary + shadow > 0)
+    # From the first word to the last pixel are more clocks than the core counts of the frame itself.
+    useful = float(str(summary["utilisation"]))
+    assert tests / (units * cycles) <= useful <= 1
 
 
 def test_a_picture_is_drawn_with_all_its_files_and_figures(scene: Path, tmp_path: Path) -> None:
@@ -92,8 +146,13 @@ def test_a_picture_is_drawn_with_all_its_files_and_figures(scene: Path, tmp_path
     assert summary["build"] == "default"
     assert str(summary["simulator"]).startswith("verilator")
     assert summary["cycles_per_pixel"] == float(str(summary["cycles"])) / (32 * 24)
+    assert (summary["depth"], summary["secondary_rays"], summary["units"]) == (5, 0, CORES["default"].units)
+    assert 0 < int(str(summary["shadow_rays"])) < 768
+    assert (summary["lights_at_point"], summary["degenerate_triangles"]) == (0, 0)
     assert float(str(summary["psnr_db"])) > 50
     assert "0 of 768 pixels differ" in answer.out
+    assert f"768 primary, 0 secondary, {summary['shadow_rays']} shadow" in answer.out
+    assert f"{summary['tests']}, " in answer.out
     assert str(out / "rtl.png") in answer.out
     frame = pack(load(scene).scene)
     assert load(out / "frame.hex").scene == load(scene).scene
@@ -121,19 +180,59 @@ def test_other_forms_of_a_scene_are_drawn_too(suffix: str, tmp_path: Path) -> No
     _drawn(out, 20, 10)
 
 
-def test_a_pixel_is_explained_stage_by_stage_and_no_picture_is_written(scene: Path, tmp_path: Path) -> None:
-    """One line a stage, none of them marked."""
-    out = tmp_path / "out"
+def test_a_third_party_scene_is_drawn_as_it_is(tmp_path: Path) -> None:
+    """Spheres, polygons, mirrors and glass, scaled onto the core's grid, which is told."""
+    path, out = tmp_path / f"{tmp_path.name}.nff", tmp_path / "out"
+    path.write_text(THIRD_PARTY)
+    answer = _render("--scene", str(path), "--out", str(out))
+    assert answer.code == 0, answer.err
+    summary = _drawn(out, 24, 18)
+    assert summary["build"] == "default"
+    assert int(str(summary["secondary_rays"])) > 0 < int(str(summary["shadow_rays"]))
+    assert re.search(r"note: scaled by [\d.]+, ", answer.err), answer.err
+
+
+def test_a_scene_of_many_objects_is_drawn_with_the_wide_build(tmp_path: Path) -> None:
+    """Nobody has to ask for it; the frame that is left has the wide build's counters."""
+    path, out = tmp_path / f"{tmp_path.name}.nff", tmp_path / "out"
+    path.write_text(MORE_SPHERES)
+    answer = _render("--scene", str(path), "--size", "8x6", "--out", str(out))
+    assert answer.code == 0, answer.err
+    assert _drawn(out, 8, 6)["build"] == "wide"
+    counters = CORES["wide"].counters
+    assert load(out / "frame.hex", counters).scene == load(path).scene
+    again = tmp_path / "again"
+    words = ("--scene", str(out / "frame.hex"), "--size", "8x6", "--build", "wide")
+    answer = _render(*words, "--out", str(again))
+    assert answer.code == 0, answer.err
+    assert _drawn(again, 8, 6)["build"] == "wide"
+
+
+def test_depth_is_that_of_the_deepest_ray(tmp_path: Path) -> None:
+    """Without mirrors at depth 1, with some of them at depth 2, with more at 5, the default."""
+    scene, secondary = SCENES / "three_spheres.toml", []
+    for depth in (("--depth", "1"), ("--depth", "2"), ()):
+        out = tmp_path / f"out{len(secondary)}"
+        answer = _render("--scene", str(scene), "--size", "12x9", "--out", str(out), *depth)
+        assert answer.code == 0, answer.err
+        summary = _drawn(out, 12, 9)
+        assert summary["depth"] == int(depth[1] if depth else 5)
+        secondary.append(int(str(summary["secondary_rays"])))
+    assert secondary[0] == 0 < secondary[1] < secondary[2]
+
+
+def test_a_pixel_is_explained_event_by_event_and_no_picture_is_written(tmp_path: Path) -> None:
+    """One line an event, the hit first and the sum last, none of them marked."""
+    out, scene = tmp_path / "out", SCENES / "three_spheres.toml"
     words = ("--scene", str(scene), "--size", "16x16", "--out", str(out), "--pixel", "8,8")
     answer = _render(*words)
     assert answer.code == 0, answer.err
-    first, header, *stages = answer.out.splitlines()
-    assert first.startswith("pixel 8,8 of ")
-    assert header.split() == ["stage", "model", "RTL"]
-    names = [line.split()[0] for line in stages]
-    assert names[:3] == ["screen", "direction", "hit"]
-    assert names[-1] == "colour"
-    assert "differs" not in answer.out
+    first, *events = answer.out.splitlines()
+    assert first == f"pixel 8,8 of {scene}, build default:"
+    kinds = [line.split()[0] for line in events]
+    assert kinds[0] == "hit" and kinds[-1] == "pixel"
+    assert {"child", "local", "light", "left"} <= set(kinds)
+    assert "only in" not in answer.out
     assert not out.exists()
 
 
@@ -158,13 +257,29 @@ def test_a_bad_scene_is_refused_with_its_file_line_and_field(name: str, tmp_path
     assert not (tmp_path / "out").exists()
 
 
-def test_a_scene_of_more_objects_than_the_core_holds_is_refused(tmp_path: Path) -> None:
-    """The sentence says what is too much."""
-    crowded = SCENES / "three_spheres.toml"
-    answer = _render("--scene", str(crowded), "--out", str(tmp_path / "out"))
-    _is_refused(
-        answer, r"three_spheres\.toml: is more than this core draws: it holds .*3 spheres \(at most 1\)"
-    )
+@pytest.mark.parametrize(
+    ("text", "build", "expected"),
+    [
+        (MORE_SPHERES, "default", r"the build default draws: it holds 6 spheres \(at most 3\); .*BUILD=wide"),
+        (MORE_SPHERES, "book", r"the build book draws: it holds 6 spheres \(at most 3\); .*BUILD=wide"),
+        (_crowd(70), None, r"the build wide draws: it holds 73 spheres \(at most 63\); draw a smaller scene"),
+        (
+            _crowd(70),
+            "default",
+            r"the build default draws: it holds 73 spheres \(at most 3\); draw a smaller scene",
+        ),
+    ],
+    ids=["default", "book", "any", "all"],
+)
+def test_a_scene_of_more_objects_than_the_core_holds_is_refused(
+    text: str, build: str | None, expected: str, tmp_path: Path
+) -> None:
+    """The sentence says what is too much and what to do."""
+    path = tmp_path / "crowded.nff"
+    path.write_text(text)
+    words = ("--build", build) if build else ()
+    answer = _render("--scene", str(path), "--out", str(tmp_path / "out"), *words)
+    _is_refused(answer, rf"crowded\.nff: is more than {expected}")
     assert not (tmp_path / "out").exists()
 
 
@@ -176,7 +291,10 @@ def test_a_scene_of_more_objects_than_the_core_holds_is_refused(tmp_path: Path) 
         ("--size", "4096x1", "SIZE=4096x1: width and height are 1 to 4095"),
         ("--size", "1x1000", "SIZE=1x1000: .*choose another size"),
         ("--sim", "vcs", "SIM=vcs: there is no such simulator; choose one of verilator, icarus"),
-        ("--build", "wide", "BUILD=wide: there is no such build; choose one of default, book"),
+        ("--build", "vast", "BUILD=vast: there is no such build; choose one of default, book, wide"),
+        ("--depth", "0", "DEPTH=0: is not 1 to 5"),
+        ("--depth", "6", "DEPTH=6: is not 1 to 5"),
+        ("--depth", "deep", "DEPTH=deep: is not 1 to 5"),
         ("--pixel", "5", "PIXEL=5: is not two numbers"),
         ("--pixel", "-1,5", "PIXEL=-1,5: is not two numbers"),
         ("--pixel", "512,0", "PIXEL=512,0: is outside the picture of 512 x 512"),
@@ -241,13 +359,13 @@ def _main(monkeypatch: pytest.MonkeyPatch, *words: str) -> int:
     return command.main()
 
 
-def test_a_wrong_pixel_is_shown_with_the_stage_where_it_goes_wrong(
-    scene: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+def test_a_wrong_pixel_is_shown_with_the_event_where_it_goes_wrong(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """Wrong mirrored directions in the core: exit code 1, the stage marked, the command to see it again."""
+    """Wrong mirrored directions in the core: exit code 1, the events marked, the command to see it again."""
     _changed_core(monkeypatch, "shade/reflect.v", "- {n[W-1], n, 1'b0}", "+ {n[W-1], n, 1'b0}")
-    out, simulator = tmp_path / "out", _quickest()
-    words = ("--scene", str(scene), "--size", "7x5", "--out", str(out), "--sim", simulator)
+    out, simulator, scene = tmp_path / "out", _quickest(), SCENES / "three_spheres.toml"
+    words = ("--scene", str(scene), "--size", "7x5", "--out", str(out), "--sim", simulator, "--depth", "2")
     assert _main(monkeypatch, *words) == 1
     said = capsys.readouterr().out
 
@@ -256,14 +374,19 @@ def test_a_wrong_pixel_is_shown_with_the_stage_where_it_goes_wrong(
     assert summary["mismatched_pixels"] == wrong.sum() > 0
     y, x = (int(place[0]) for place in wrong.nonzero())
     assert f"first wrong pixel {x},{y}: RTL [" in said
-    marked = [line.split()[0] for line in said.splitlines() if line.endswith("<- differs")]
-    assert marked[0] == "mirrored"
-    assert "direct" in marked
-    assert marked[-1] == "colour"
-    assert f"again: make render SCENE={scene} SIZE=7x5 SIM={simulator} BUILD=default PIXEL={x},{y}" in said
+    only_model, only_rtl = (
+        [line.split()[0] for line in said.splitlines() if line.endswith(f"<- only in the {side}")]
+        for side in ("model", "RTL")
+    )
+    # The first hit itself is right; the ray that leaves it, and the sum, are not.
+    assert {"child", "pixel"} <= set(only_model), said
+    assert {"child", "pixel"} <= set(only_rtl), said
+    assert re.search(r"^hit +depth 1 [^<]*$", said, re.MULTILINE), said
+    again = f"again: make render SCENE={scene} SIZE=7x5 SIM={simulator} BUILD=default DEPTH=2 PIXEL={x},{y}"
+    assert again in said
 
     assert _main(monkeypatch, *words, "--pixel", f"{x},{y}") == 1
-    assert "<- differs" in capsys.readouterr().out
+    assert "<- only in the RTL" in capsys.readouterr().out
 
 
 def test_a_core_that_does_not_build_ends_the_command_and_writes_nothing(

@@ -12,8 +12,8 @@ from cocotb.triggers import FallingEdge, First, ReadOnly, Timer
 from numpy.typing import NDArray
 
 from models.core import Counts, Registers
-from models.limits import Fault
-from verif.env.clocking import Clocking
+from models.limits import MAX_DEPTH, Fault
+from verif.env.clocking import PERIOD_NS, Clocking
 from verif.env.fields import Field, bit
 from verif.env.pipelined import Mismatch
 from verif.env.streams import AXI4_STREAM, Stream, Transfers
@@ -22,6 +22,24 @@ FRAME = Stream("frame", (Field("data", 32, signed=False), bit("last")), AXI4_STR
 VIDEO = Stream("video", (Field("data", 24, signed=False), bit("user"), bit("last")), AXI4_STREAM)
 PIXELS = Path("pixels.bin")
 """Where `core_tb` leaves the pixels, in the folder of the run."""
+
+BREACHES = (
+    "the ray store holds more rays than it has places",
+    "a place of the ray store was used or given back that was not reserved",
+    "a queue was given an item that it had no room for",
+    "a place was not given back at the end of a frame",
+)
+"""Promises that `core_watch` saw broken, from its lowest bit on."""
+
+WAITS = (
+    *(f"places for rays of depth {depth}" for depth in range(2, MAX_DEPTH + 1)),
+    "room for primary rays",
+    "room for steps",
+    "room for hits",
+    "room for terms",
+    "free pixels",
+)
+"""What `core_tb` saw waited for, from the lowest bit of its `waits` on."""
 
 _PIXEL_BYTES = 8
 _POLL_NS = 100_000
@@ -58,11 +76,12 @@ class CoreDriver:
         dut.probe_on.value = 0
         dut.probe_x.value = 0
         dut.probe_y.value = 0
-        dut.go.value = 1
+        self.go(True)
 
     async def reset(self, registers: Registers) -> None:
-        """Resets the core and sets its registers."""
+        """Resets the core and sets its registers; frames are drawn as they come."""
         self._dut.s_axis_frame_tvalid.value = 0
+        self.go(True)
         self.registers(registers)
         await self.clocking.reset()
         self._read = self._written
@@ -113,6 +132,16 @@ class CoreDriver:
         """Whether pixels are taken, from now on."""
         self._dut.m_axis_video_tready.value = int(ready)
 
+    def go(self, ahead: bool) -> None:
+        """Whether frames that have been read are drawn, from now on."""
+        self._dut.go.value = int(ahead)
+
+    async def wait(self, clocks: int) -> None:
+        """Lets clocks pass; Python sleeps meanwhile."""
+        if clocks:
+            await Timer(clocks * PERIOD_NS, "ns")
+            await self.clocking.edge
+
     async def collect(
         self, progress: Callable[[int], None] = lambda _: None, until_probed: bool = False
     ) -> Picture:
@@ -147,9 +176,9 @@ class CoreDriver:
             rgb=np.stack([colours >> 16 & 255, colours >> 8 & 255, colours & 255], axis=-1).astype(np.uint8),
             hit=objects.view(np.int32).astype(np.int16),
             latency=self._counter("latency"),
-            cycles=self._counter("cycles"),
-            counts=Counts(**{name: self._counter(name) for name in vars(Counts())}),
-            degenerate=self._counter("degenerate"),
+            cycles=self.cycles,
+            counts=self.counts,
+            degenerate=self.degenerate,
             fault=fault,
         )
 
@@ -163,6 +192,35 @@ class CoreDriver:
             data = file.read(_PIXEL_BYTES * (end - self._read))
         self._read = end
         return np.frombuffer(data, dtype="<u4")
+
+    @property
+    def cycles(self) -> int:
+        """Clocks of the frame that is drawn, or was drawn last."""
+        return self._counter("cycles")
+
+    @property
+    def counts(self) -> Counts:
+        """The core's counters as they stand."""
+        return Counts(**{name: self._counter(name) for name in vars(Counts())})
+
+    @property
+    def degenerate(self) -> int:
+        """Triangles without area since reset."""
+        return self._counter("degenerate")
+
+    @property
+    def breaches(self) -> list[str]:
+        """Promises broken since reset."""
+        return self._told("breaches", BREACHES)
+
+    @property
+    def waits(self) -> list[str]:
+        """What had to be waited for since reset."""
+        return self._told("waits", WAITS)
+
+    def _told(self, name: str, meanings: Sequence[str]) -> list[str]:
+        bits = self._counter(name)
+        return [meaning for place, meaning in enumerate(meanings) if bits >> place & 1]
 
     @property
     def busy(self) -> bool:

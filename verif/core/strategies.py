@@ -1,137 +1,23 @@
-"""Scenes that the core draws, and the registers to draw them with, as Hypothesis strategies.
+"""What the core's benches draw: pictures, frames that are refused, and a tree in which every hit splits."""
 
-What the frame can hold is almost all empty space; these put the camera and the light where they
-matter: inside the sphere, on its surface, far from it, at the edge of the number range. They
-shrink toward a black scene, an axis and one pixel.
-"""
-
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from hypothesis import strategies as st
 
 from models.core import Registers
 from models.core import registers as as_registers
-from models.fixed import BOOK, COLOUR, RADIUS
+from models.fixed import BOOK, COLOUR
 from models.formats import Formats
-from models.scene.frame import Capacity
-from models.scene.strategies import is_drawable, materials, raws, scenes, undrawable_cameras, vectors
-from models.scene.types import Camera, Light, Material, Scene, Sphere, Vec3, View
-from verif.render.job import CAPACITY
+from models.limits import MAX_DEPTH, Fault
+from models.scene.frame import Capacity, CounterWidths, pack
+from models.scene.strategies import classes, raws, undrawable_cameras
+from models.scene.types import BLACK, Camera, Light, Material, Scene, Sphere, Triangle, Vec3, View
 
-SIZES = ((1, 1), (2, 1), (1, 2), (4, 3), (3, 5), (8, 6), (16, 9))
+SIZES = ((1, 1), (2, 1), (1, 2), (4, 3), (3, 5), (8, 6))
 """Pictures small enough for many of them; the set-up of each takes longer than its pixels."""
 
-_AXES: tuple[Vec3, ...] = ((0, 0, 1), (0, 1, 0), (1, 0, 0), (0, 0, -1), (0, -1, 0), (-1, 0, 0))
-_RADIUS_TO_COORD = BOOK.frac_bits - RADIUS.frac_bits
-_QUARTERS = 4
-_FAR = 1 << (BOOK.width - 1)
-
-
-def _clamped(place: tuple[int, ...]) -> Vec3:
-    x, y, z = (min(max(component, BOOK.min), BOOK.max) for component in place)
-    return (x, y, z)
-
-
-def _moved(start: Vec3, direction: Vec3, distance: int) -> Vec3:
-    """``distance`` raw steps along a direction, held in the range of a coordinate."""
-    length = max(1, round(sum(component * component for component in direction) ** 0.5))
-    return _clamped(tuple(s + d * distance // length for s, d in zip(start, direction, strict=True)))
-
-
-def _directions() -> st.SearchStrategy[Vec3]:
-    small = st.integers(-1000, 1000)
-    return st.sampled_from(_AXES) | st.tuples(small, small, small)
-
-
-def _distances(radius: int) -> st.SearchStrategy[int]:
-    """From the center of a sphere, in raw steps: at, in, on, just off and far off its surface."""
-    surface = radius << _RADIUS_TO_COORD
-    near = st.integers(-2, 2).map(lambda step: max(0, surface + step))
-    quarters = st.integers(0, 5 * _QUARTERS).map(lambda count: surface * count // _QUARTERS)
-    return st.just(3 * surface) | st.just(surface) | near | quarters | st.integers(0, 2 * _FAR)
-
-
-def _centers() -> st.SearchStrategy[Vec3]:
-    return st.just((0, 0, 0)) | vectors(BOOK)
-
-
-def _radii() -> st.SearchStrategy[int]:
-    return st.sampled_from((8, 1, RADIUS.max)) | st.integers(1, RADIUS.max)
-
-
-def _colours() -> st.SearchStrategy[Vec3]:
-    """Mostly colours that leave a pixel between black and white, sometimes anything."""
-    usual = st.integers(0, COLOUR.one)
-    return st.tuples(usual, usual, usual) | vectors(COLOUR)
-
-
-@st.composite
-def _around(draw: st.DrawFn, sphere: Sphere) -> Vec3:
-    """A place chosen by its distance from a sphere."""
-    return _moved(sphere.center, draw(_directions()), draw(_distances(sphere.radius)))
-
-
-@st.composite
-def _aimed_cameras(draw: st.DrawFn, sphere: Sphere) -> Camera:
-    """Anywhere around the sphere; looks at it, past its edge, or away from it."""
-    position = draw(_around(sphere))
-    aim = draw(st.just(sphere.center) | _around(sphere))
-    if draw(st.booleans()):
-        aim = _clamped(tuple(2 * p - a for p, a in zip(position, aim, strict=True)))
-    up = draw(st.sampled_from(_AXES).map(lambda axis: _moved((0, 0, 0), axis, BOOK.one)) | vectors(BOOK))
-    wanted = Camera(position, up, aim)
-    # A view along some axis is neither of length 0 nor parallel to any up, if up has a length.
-    others = [Camera(position, up, _moved(position, axis, _FAR)) for axis in _AXES]
-    upright = [Camera(position, (0, BOOK.one, 0), camera.center) for camera in others]
-    return next(camera for camera in (wanted, *others, *upright) if is_drawable(camera))
-
-
-@st.composite
-def _aimed_scenes(draw: st.DrawFn) -> Scene:
-    """One sphere that the camera is near to, inside of or looks at, and at most one light near it."""
-    colours = _colours()
-    sphere = Sphere(draw(materials()), draw(_centers()), draw(_radii()))
-    if draw(st.booleans()):
-        sphere = replace(sphere, material=Material(draw(colours), draw(colours), draw(colours)))
-    camera = draw(_aimed_cameras(sphere))
-    place = _around(sphere) | st.just(camera.position) | vectors(BOOK)
-    lights = draw(st.lists(st.builds(Light, place, colours), max_size=1))
-    return Scene(camera, tuple(lights), (sphere,), (), draw(colours), draw(colours))
-
-
-@st.composite
-def _lit_points(draw: st.DrawFn) -> Scene:
-    """Camera and light on one axis through the sphere, the light at or next to where the axis meets it."""
-    axis = draw(st.sampled_from(_AXES))
-    radius = draw(_radii())
-    sphere = Sphere(draw(materials()), (0, 0, 0), radius)
-    surface = radius << _RADIUS_TO_COORD
-    reach = draw(st.sampled_from((3 * surface, surface // 2)))
-    # From inside the far side is seen, from outside the near one.
-    seen = surface if reach > surface else -surface
-    light = Light(_moved((0, 0, 0), axis, seen + draw(st.sampled_from((0, 0, 1, -1)))), draw(_colours()))
-    up = _moved((0, 0, 0), _AXES[(_AXES.index(axis) + 1) % 3], BOOK.one)
-    camera = Camera(_moved((0, 0, 0), axis, reach), up, (0, 0, 0))
-    return Scene(camera, (light,), (sphere,), (), draw(_colours()), draw(_colours()))
-
-
-def drawable_scenes() -> st.SearchStrategy[Scene]:
-    """Any scene that this core draws."""
-    return _aimed_scenes() | _lit_points() | scenes(CAPACITY)
-
-
-def camera_faults() -> st.SearchStrategy[Scene]:
-    """Scenes that differ from drawable ones in a camera that cannot be drawn."""
-
-    def build(scene: Scene, camera: Camera) -> Scene:
-        return replace(scene, camera=camera)
-
-    return st.builds(build, scenes(CAPACITY), undrawable_cameras())
-
-
-def crowded_scenes() -> st.SearchStrategy[Scene]:
-    """Scenes of at most 3 lights, 3 spheres and 2 triangles: mostly more than this core holds."""
-    return scenes(Capacity(3, 3, 2))
+_WIDEST_ANGLE = 120
 
 
 @dataclass(frozen=True)
@@ -143,14 +29,18 @@ class Shot:
     view: View | None
 
 
-def shots(fmts: Formats, most: int, scene: st.SearchStrategy[Scene] | None = None) -> st.SearchStrategy[Shot]:
-    """Scenes, drawable ones by default, in pictures of at most ``most`` pixels: the book's view, square
-    pixels, any tangents."""
-    sizes = st.sampled_from([size for size in SIZES if size[0] * size[1] <= most])
-    scene = scene or drawable_scenes()
+def depths() -> st.SearchStrategy[int]:
+    """Of the deepest ray: any, the deepest often."""
+    return st.integers(1, MAX_DEPTH) | st.just(MAX_DEPTH)
 
-    def seen(scene: Scene, view: View) -> Shot:
-        return Shot(scene, as_registers(view, fmts), view)
+
+def shots(fmts: Formats, most: int, scene: st.SearchStrategy[Scene]) -> st.SearchStrategy[Shot]:
+    """Scenes in pictures of at most ``most`` pixels, to any depth: the book's view, square pixels, any
+    tangents."""
+    sizes = st.sampled_from([size for size in SIZES if size[0] * size[1] <= most])
+
+    def seen(scene: Scene, view: View, depth: int) -> Shot:
+        return Shot(scene, replace(as_registers(view, fmts), depth=depth), view)
 
     def book(size: tuple[int, int]) -> View:
         return View.book(*size)
@@ -158,9 +48,156 @@ def shots(fmts: Formats, most: int, scene: st.SearchStrategy[Scene] | None = Non
     def square(size: tuple[int, int], angle: int) -> View:
         return View.square(*size, angle)
 
-    def untold(scene: Scene, size: tuple[int, int], tan_h: int, tan_v: int) -> Shot:
-        return Shot(scene, Registers(*size, tan_h, tan_v), None)
+    def untold(scene: Scene, size: tuple[int, int], tan_h: int, tan_v: int, depth: int) -> Shot:
+        return Shot(scene, Registers(*size, tan_h, tan_v, depth), None)
 
-    views = st.builds(book, sizes) | st.builds(square, sizes, st.integers(1, 120))
+    views = st.builds(book, sizes) | st.builds(square, sizes, st.integers(1, _WIDEST_ANGLE))
     tangent = raws(fmts.tan)
-    return st.builds(seen, scene, views) | st.builds(untold, scene, sizes, tangent, tangent)
+    return st.one_of(
+        st.builds(seen, scene, views, depths()), st.builds(untold, scene, sizes, tangent, tangent, depths())
+    )
+
+
+# Trees
+
+
+def splitting(capacity: Capacity) -> Scene:
+    """Shells of glass that mirror, one in another around camera and lights: every hit splits in two.
+
+    Half of the weight goes either way, so that in `MAX_DEPTH` levels no ray becomes negligible; where there
+    are as many shells no ray of them misses.
+    """
+    half, some = COLOUR.one // 2, COLOUR.one // 16
+    glass = Material((some,) * 3, (half,) * 3, (half,) * 3, (half,) * 3, (half,) * 3, 4)
+    radii = (8, 20, 31)[: capacity.spheres]
+    sizes = (8, 28, 90)[: capacity.triangles // 4]
+    spheres = tuple(Sphere(glass, BLACK, radius) for radius in radii)
+    triangles = tuple(triangle for size in sizes for triangle in _tetrahedron(glass, size * BOOK.one))
+    tenth = BOOK.one // 10
+    lights = tuple(
+        Light((tenth * number, -tenth, 2 * tenth), (some * (1 + number), some, some))
+        for number in range(capacity.lights)
+    )
+    camera = Camera((tenth, 2 * tenth, -tenth), (0, BOOK.one, 0), (0, 0, BOOK.one))
+    return Scene(camera, lights, spheres, triangles, (half,) * 3, (COLOUR.one, 0, half))
+
+
+def _tetrahedron(material: Material, size: int) -> tuple[Triangle, ...]:
+    a, b, c, d = (
+        (size, size, size),
+        (size, -size, -size),
+        (-size, size, -size),
+        (-size, -size, size),
+    )
+    return tuple(Triangle(material, corners) for corners in ((a, b, c), (a, c, d), (a, d, b), (b, d, c)))
+
+
+# Frames that are refused
+
+
+@dataclass(frozen=True)
+class FaultyFrame:
+    """Words of a frame that is refused, and why."""
+
+    fault: Fault
+    words: tuple[int, ...]
+
+
+_Make = Callable[[st.DrawFn, Scene, CounterWidths], tuple[int, ...]]
+
+
+def _short(draw: st.DrawFn, scene: Scene, counters: CounterWidths) -> tuple[int, ...]:
+    words = pack(scene, counters).words
+    return words[: draw(st.integers(1, len(words) - 1))]
+
+
+def _long(draw: st.DrawFn, scene: Scene, counters: CounterWidths) -> tuple[int, ...]:
+    return (*pack(scene, counters).words, *range(draw(st.integers(1, 40))))
+
+
+def _kind(draw: st.DrawFn, scene: Scene, counters: CounterWidths) -> tuple[int, ...]:
+    at = draw(st.sampled_from(kind_bits(scene, counters)))
+    return flipped(pack(scene, counters).words, [at])
+
+
+def _radius(draw: st.DrawFn, scene: Scene, counters: CounterWidths) -> tuple[int, ...]:
+    at = draw(st.integers(0, len(scene.spheres) - 1))
+    spheres = list(scene.spheres)
+    spheres[at] = replace(spheres[at], radius=0)
+    return pack(replace(scene, spheres=tuple(spheres)), counters).words
+
+
+def _no_view(_draw: st.DrawFn, scene: Scene, counters: CounterWidths) -> tuple[int, ...]:
+    camera = replace(scene.camera, center=scene.camera.position)
+    return pack(replace(scene, camera=camera), counters).words
+
+
+def _no_up(draw: st.DrawFn, scene: Scene, counters: CounterWidths) -> tuple[int, ...]:
+    cameras = undrawable_cameras().filter(lambda camera: camera.center != camera.position)
+    return pack(replace(scene, camera=draw(cameras)), counters).words
+
+
+_FAULTS: Mapping[Fault, _Make] = {
+    Fault.FRAME_SHORT: _short,
+    Fault.FRAME_LONG: _long,
+    Fault.KIND: _kind,
+    Fault.RADIUS: _radius,
+    Fault.CAMERA_POSITION: _no_view,
+    Fault.CAMERA_UP: _no_up,
+}
+
+FAULTS = tuple(_FAULTS)
+"""All that a frame itself can have. CAPACITY is none: what the counters can say the core holds."""
+
+
+@st.composite
+def faulty_frames(draw: st.DrawFn, counters: CounterWidths, faults: Sequence[Fault] = FAULTS) -> FaultyFrame:
+    """A frame with one of these faults, at any place where the frame can have it."""
+    scene = draw(classes(counters.capacity)["crowd"])
+    fault = draw(st.sampled_from(faults))
+    return FaultyFrame(fault, _FAULTS[fault](draw, scene, counters))
+
+
+def counter_bits(counters: CounterWidths) -> range:
+    """Where in a frame the numbers of objects are; bit 0 is the first."""
+    start = 9 * BOOK.width
+    return range(start, start + counters.lights + counters.spheres + counters.triangles)
+
+
+def kind_bits(scene: Scene, counters: CounterWidths) -> list[int]:
+    """Where in the frame of a scene the kinds of its objects are."""
+    light, sphere, triangle = 114, 352, 461
+    first = counter_bits(counters).stop + light * len(scene.lights)
+    behind = first + sphere * len(scene.spheres)
+    return [
+        *(first + sphere * number for number in range(len(scene.spheres))),
+        *(behind + triangle * number for number in range(len(scene.triangles))),
+    ]
+
+
+def flipped(words: Sequence[int], bits: Sequence[int]) -> tuple[int, ...]:
+    """Words with some bits changed; bit 0 is the first of the frame."""
+    changed = list(words)
+    for bit in bits:
+        changed[bit // 32 % len(words)] ^= 1 << (31 - bit % 32)
+    return tuple(changed)
+
+
+def without_area() -> st.SearchStrategy[Triangle]:
+    """Triangles that are a point or lie on a line."""
+    step = st.integers(-4, 4)
+    component = st.integers(-4 * BOOK.one, 4 * BOOK.one)
+    plain = Material((COLOUR.one,) * 3, BLACK, BLACK)
+
+    def build(place: tuple[int, ...], way: tuple[int, ...], times: tuple[int, ...]) -> Triangle:
+        a, b, c = (_along(place, way, time) for time in times)
+        return Triangle(plain, (a, b, c))
+
+    return st.builds(
+        build, st.tuples(*[component] * 3), st.tuples(*[st.integers(-999, 999)] * 3), st.tuples(*[step] * 3)
+    )
+
+
+def _along(place: tuple[int, ...], way: tuple[int, ...], times: int) -> Vec3:
+    x, y, z = (p + times * w for p, w in zip(place, way, strict=True))
+    return (x, y, z)
