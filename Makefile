@@ -19,7 +19,7 @@ JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 option = $(if $($(2)),$(1) '$($(2))')
 
 .DEFAULT_GOAL := help
-.PHONY: help setup render video test unit lint format bench book weigh breaks header requirements clean
+.PHONY: help setup render video test unit lint format bench book synth weigh breaks header requirements clean
 
 help: ## lists the commands
 	@echo "Commands (make <command> [NAME=value ...]):"
@@ -67,6 +67,9 @@ bench: $(READY) ## measures: cocotb against a bare C++ loop, the model against t
 
 book: $(READY) ## repeats the book's experiments and writes hdl/BOOK.md: [ONLY=timing]
 	@$(BIN)/python -m verif.book $(ONLY)
+
+synth: $(READY) ## synthesises for an ECP5 with yosys and counts what it takes: [TOP=raytracer]
+	@$(BIN)/python -m regressions.synthesis $(TOP)
 
 weigh: $(READY) ## counts the tests that the scenes need, by kind, for the choice of trace units
 	@$(BIN)/python -m models.weigh

@@ -15,6 +15,7 @@ from models.fixed import Format
 from models.formats import BUILDS, TABLE, Formats, formats
 from models.latency import LATENCY
 from models.limits import MEANING
+from models.pages import replaced
 from models.registers import REGISTERS, Build, Register
 
 PAGE = Path(__file__).parents[1] / "hdl" / "README.md"
@@ -91,6 +92,11 @@ def _set_up(_: Formats) -> int:
     return multipliers(_WIDE, _WIDE)
 
 
+def _dim(f: Formats) -> int:
+    """Not cut by `mul`: synthesis gives whatever is above 18 bits a multiplier of its own."""
+    return 3 * -(-f.shade.width // 18)
+
+
 def _none(_: Formats) -> int:
     return 0
 
@@ -102,7 +108,7 @@ STAGES = (
     Stage(
         "object_setup",
         "constants of an object, once a frame: of one sphere",
-        _set_up,
+        lambda f: _set_up(f) + multipliers(f.radius, f.radius),
         "radius_sq, inv_radius, unit, shade",
     ),
     Stage("unit_vector", "direction of the primary ray; of basis and normals", _normaliser, "unit"),
@@ -116,7 +122,7 @@ STAGES = (
     Stage(
         "dim",
         f"light behind an object, in {_UNITS} trace units",
-        lambda f: multipliers(f.shade, f.coeff, 3),
+        _dim,
         "shade",
         _UNITS,
     ),
@@ -189,12 +195,7 @@ _TABLES = {
 def refreshed(page: str) -> str:
     """The page with each table between its markers made anew."""
     for name, table in _TABLES.items():
-        start, end = f"<!-- {name} -->", f"<!-- end of {name} -->"
-        head, found, rest = page.partition(start)
-        _, closed, tail = rest.partition(end)
-        if not (found and closed):
-            raise ValueError(f"{PAGE.name} has no {start} ... {end}")
-        page = "\n".join([f"{head}{start}", *table(), f"{end}{tail}"])
+        page = replaced(page, name, table())
     return page
 
 

@@ -2,8 +2,9 @@
 //
 // fifo: a queue between two valid/ready streams, in order.
 //
-// The memory has one write and one registered read, so that synthesis may take block RAM. The
-// register of the read is the output: the oldest item is fetched before it is asked for.
+// The memory has one write and one registered read, so that synthesis may take block RAM; up to 64
+// places it is asked for distributed RAM. The register of the read is the output: the oldest item is
+// fetched before it is asked for.
 //
 // Parameters
 //   WIDTH  bits of an item
@@ -75,7 +76,13 @@ module fifo #(
         end
     end
 
-    // The items: one memory, one write, one registered read.
+    // The items: one memory, one write, one registered read. A short queue would fill a fraction of
+    // its block RAMs, of which wide items take many.
+    // verilator lint_off UNUSEDPARAM
+    // (Only synthesis reads the attribute.)
+    localparam STYLE = DEPTH <= 64 ? "distributed" : "auto";
+    // verilator lint_on UNUSEDPARAM
+    (* ram_style = STYLE *)
     reg [WIDTH-1:0] items[0:DEPTH-1];
     reg [WIDTH-1:0] data_reg;
 

@@ -10,6 +10,7 @@ import math
 import sys
 from collections.abc import Callable, Iterator
 
+from models.pages import replaced
 from verif.book import experiments, plots
 from verif.env import sources
 from verif.env.simulators import MissingTool
@@ -76,16 +77,6 @@ TABLES: dict[str, Callable[[], Iterator[str]]] = {
     "vanishing": _vanishing,
     "depths": _depths,
 }
-
-
-def replaced(page: str, name: str, lines: list[str]) -> str:
-    """The page with one table between its markers made anew. Raises ValueError where it has none."""
-    start, end = f"<!-- {name} -->", f"<!-- end of {name} -->"
-    head, found, rest = page.partition(start)
-    _, closed, tail = rest.partition(end)
-    if not (found and closed):
-        raise ValueError(f"{PAGE.name} has no {start} ... {end}")
-    return "\n".join([f"{head}{start}", *lines, f"{end}{tail}"])
 
 
 def main() -> int:

@@ -1,0 +1,1 @@
+"""What is run over the whole project and reported."""
