@@ -28,11 +28,6 @@ AVAILABLE: Mapping[str, int] = {
     "18 x 18 multipliers": 156,
     "block RAMs": 208,
 }
-    "LUT4": 83_640,
-    "flip-flops": 83_640,
-    "18 x 18 multipliers": 156,
-    "block RAMs": 208,
-}
 
 _CARRY_LUTS, _DISTRIBUTED_LUTS = 2, 6
 """A carry cell is two LUTs; distributed RAM of 16 x 4 takes two slices and the one that writes them."""
