@@ -137,6 +137,16 @@ class RegistersBench(Block):
         if breaches := [breach for monitor in self._monitors for breach in monitor.breaches]:
             raise Mismatch("\n".join(breaches[:4]))
 
+    async def reset(self, cycles: int = 2) -> None:
+        """Resets the block, wherever it is; a response that this drops breaks no protocol."""
+        self.check()
+        for monitor in self._monitors:
+            monitor.stop()
+            monitor.clear()
+        await super().reset(cycles)
+        for monitor in self._monitors:
+            monitor.start()
+
     async def restart(self, pauses: Sequence[Sequence[bool]] = ()) -> None:
         """Reset, whatever is under way; these pauses of the channels from then on."""
         patterns = pauses or ((),) * len(axi.CHANNELS)
@@ -230,14 +240,15 @@ class RegistersBench(Block):
 
 
 @cocotb.test()
-async def the_outputs_are_known_and_right_before_any_reset(dut: Any) -> None:
-    """The first test, on a block that has never been reset: initial values are those of reset."""
+async def no_output_is_unknown_before_any_reset(dut: Any) -> None:
+    """The first test, on a block that has never been reset: on Icarus a register without a value shows."""
     bench = RegistersBench(dut, context.read())
     # The edge at time 0 comes before wires have got the initial values of registers.
     await bench.clock()
-    bench.watch()
-    await bench.clocks(4)
-    bench.check()
+    for _ in range(4):
+        await bench.clock()
+        for name in RegisterModel(bench.build).outputs():
+            bench.read(name)
 
 
 @cocotb.test()
@@ -510,6 +521,24 @@ async def every_sequence_of_accesses_and_events_is_as_the_map_says(dut: Any) -> 
         await _sequence(bench, actions, pauses)
 
     await holds(run, example, _actions(resets=False), _PAUSES)
+
+
+@cocotb.test()
+async def reset_in_each_clock_of_an_access_drops_it(dut: Any) -> None:
+    """A write beside a read, responses taken at once or kept waiting; the next accesses are whole."""
+    bench, _ = await RegistersBench.create(dut)
+    for kept_waiting in (0, 6):
+        for moment in range(14):
+            await bench.restart()
+            for name in ("b", "r"):
+                bench.port.pause(name, axi.repeated((True,) * kept_waiting))
+            await bench.act(Write(REGISTERS["TAN_V"].address, bytes([moment, 1]), waits=False))
+            await bench.act(Read(REGISTERS["ID"].address, waits=False))
+            await bench.act(Wait(moment))
+            await bench.act(Wait(0, reset=True))
+            await bench.act(Write(REGISTERS["TAN_H"].address, bytes([moment, 2]), waits=True))
+            await bench.act(Read(REGISTERS["TAN_V"].address, waits=True))
+            await bench.finish()
 
 
 @cocotb.test()
