@@ -200,8 +200,10 @@ module raytracer #(
     reg [SIZE_W-1:0] height_reg;
     reg [`RT_TAN_W-1:0] tan_h_reg;
     reg [`RT_TAN_W-1:0] tan_v_reg;
-    wire [8:0] load_objects = {1'b0, load_spheres} + {1'b0, load_triangles};
-    wire unused_load = &{1'b0, load_lights[7:LIGHT_COUNT_W], load_objects[8:OBJECT_W+1]};
+    // Wider than their number may be, whatever OBJECT_W is.
+    wire [OBJECT_W+9:0] load_objects = {{OBJECT_W + 2{1'b0}}, load_spheres}
+                                     + {{OBJECT_W + 2{1'b0}}, load_triangles};
+    wire unused_load = &{1'b0, load_lights[7:LIGHT_COUNT_W], load_objects[OBJECT_W+9:OBJECT_W+1]};
 
     always @(posedge clk) begin
         if (swap) begin

@@ -1,6 +1,6 @@
 """Lints the Verilog: every module as a top with Verilator, all warnings on, and with Icarus as Verilog-2005.
 
-The core is linted in every build of the table of formats. Exit code 1 where there is a warning.
+The core is linted in every named build. Exit code 1 where there is a warning.
 """
 
 import subprocess
@@ -8,7 +8,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from models.formats import BUILDS
+from models.cores import CORES
 from models.header import defines
 from verif.env import sources
 from verif.env.simulators import Simulator, available, verilator_root
@@ -26,11 +26,14 @@ def _commands(simulators: tuple[Simulator, ...]) -> Iterator[tuple[str, list[str
     verilator = str(verilator_root() / "bin" / "verilator")
     tops = [path.stem for path in sorted(sources.HDL.rglob("*.v"))]
     for top in tops:
-        for build, knobs in BUILDS.items() if top == "raytracer" else [("default", BUILDS["default"])]:
-            common = _common(sources.closure(top), defines(knobs))
-            yield f"{top} ({build})", [verilator, *_VERILATOR, "--top-module", top, *common]
+        for build, core in CORES.items() if top == "raytracer" else [("default", CORES["default"])]:
+            common = _common(sources.closure(top), defines(core.knobs))
+            values = core.parameters() if top == "raytracer" else {}
+            given = [f"-G{name}={value}" for name, value in values.items()]
+            yield f"{top} ({build})", [verilator, *_VERILATOR, *given, "--top-module", top, *common]
             if Simulator.ICARUS in simulators:
-                yield f"{top} ({build})", [*_ICARUS, "-s", top, *common]
+                given = [f"-P{top}.{name}={value}" for name, value in values.items()]
+                yield f"{top} ({build})", [*_ICARUS, *given, "-s", top, *common]
 
 
 def main() -> int:
