@@ -210,7 +210,8 @@ def test_a_scene_of_many_objects_is_drawn_with_the_wide_build(tmp_path: Path) ->
 
 def test_depth_is_that_of_the_deepest_ray(tmp_path: Path) -> None:
     """Without mirrors at depth 1, with some of them at depth 2, with more at 5, the default."""
-    scene, secondary = SCENES / "three_spheres.toml", []
+    scene = SCENES / "three_spheres.toml"
+    secondary: list[int] = []
     for depth in (("--depth", "1"), ("--depth", "2"), ()):
         out = tmp_path / f"out{len(secondary)}"
         answer = _render("--scene", str(scene), "--size", "12x9", "--out", str(out), *depth)

@@ -37,8 +37,8 @@ module core_watch #(
     input  wire [   QUEUES-1:0] queue_lost,
     input  wire                 home,
     input  wire [    WAITS-1:0] waiting,
-    output reg  [          3:0] breaches,
-    output reg  [    WAITS-1:0] waits
+    output wire [          3:0] breaches,
+    output wire [    WAITS-1:0] waits
 );
 
     wire [LEVELS-1:0] too_many;
@@ -60,16 +60,20 @@ module core_watch #(
         end
     endgenerate
 
-    always @(posedge clk) begin
-        if (rst) begin
-            breaches <= 4'd0;
-            waits    <= {WAITS{1'b0}};
-        end else begin
-            breaches <= breaches
-                      | {done && !(home && &all_free), |queue_lost, |unreserved, |too_many};
-            waits    <= waits | waiting;
+    // What is not known, as before the first frame, is no breach and waits for nothing.
+    wire [WAITS+3:0] now = {waiting, done && !(home && &all_free), |queue_lost, |unreserved, |too_many};
+    reg [WAITS+3:0] seen_reg;
+
+    generate
+        for (k = 0; k < WAITS + 4; k = k + 1) begin : g_seen
+            always @(posedge clk) begin
+                if (rst) seen_reg[k] <= 1'b0;
+                else if (now[k]) seen_reg[k] <= 1'b1;
+            end
         end
-    end
+    endgenerate
+
+    assign {waits, breaches} = seen_reg;
 
 endmodule
 

@@ -20,7 +20,9 @@ from verif.env.pipelined import Mismatch
 
 _ENOUGH_EXAMPLES = 300
 _ENOUGH_WAITING = 100
-_PIN_HOLE_SIZES = ((24, 18), (8, 6))
+_PIN_HOLE_SIZES = ((8, 6), (24, 18))
+_FINE_PICTURES = 48
+"""Most pixels of the drawn pictures of a run that has time for larger ones of meshes."""
 
 
 def classes(shot: Shot, wanted: Rendering) -> set[str]:
