@@ -144,6 +144,10 @@ class FrameSource:
         """Queues a frame."""
         self._source.send_nowait(list(words))
 
+    async def sent(self) -> None:
+        """Waits until all that was queued has been taken."""
+        await self._source.wait()
+
     def clear(self) -> None:
         """Forgets the frames that have not begun; a reset ends the one that has."""
         self._source.clear()
