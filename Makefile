@@ -40,9 +40,9 @@ render: $(READY) ## draws a scene through the RTL: [SCENE=file] [SIZE=WxH] [OUT=
 	@$(BIN)/python -m verif.render $(call option,--scene,SCENE) $(call option,--size,SIZE) $(call option,--out,OUT) \
 		$(call option,--sim,SIM) $(call option,--build,BUILD) $(call option,--depth,DEPTH) $(call option,--pixel,PIXEL)
 
-video: $(READY) ## films a moving camera through the RTL's screen: [SCENE=file | PICTURES=dir] [FRAMES=n] [RATE=n] [OUT=dir]
+video: $(READY) ## films a moving camera through the RTL's screen: [SCENE=file | PICTURES=dir] [CORE=rtl] [FRAMES=n] [RATE=n] [OUT=dir]
 	@$(BIN)/python -m verif.video $(call option,--scene,SCENE) $(call option,--pictures,PICTURES) \
-		$(call option,--frames,FRAMES) $(call option,--rate,RATE) $(call option,--out,OUT)
+		$(call option,--core,CORE) $(call option,--frames,FRAMES) $(call option,--rate,RATE) $(call option,--out,OUT)
 
 test: lint ## runs every test
 	@$(BIN)/python -m pytest -n $(JOBS)

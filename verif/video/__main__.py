@@ -1,6 +1,7 @@
 """`make video`: a film of a moving camera, through the video block, as a monitor at its wires sees it.
 
-The bit-exact model draws the pictures, or they are given as PNG files; the RTL shows them at their rate on
+The bit-exact model draws the pictures, or with CORE=rtl the RTL of the core, each pixel compared with the
+model, or they are given as PNG files; the RTL of the screen shows them at their rate on
 a screen of 640 x 480 at 60 Hz. Every frame of the screen is compared with the model of what is seen.
 
 Exit codes: 0 every frame is right; 1 a frame is not, or the simulation failed; 2 the request or the scene
@@ -19,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from models.core import registers, render
+from models.cores import smallest
 from models.formats import BUILDS, formats
 from models.images import load_png
 from models.scene.errors import SceneError
@@ -27,11 +29,13 @@ from models.scene.load import load
 from models.video import STORE, VGA
 from verif.env.build import CACHE, BuildError, ensure
 from verif.env.simulators import MissingTool, Simulator, version
+from verif.video import core_film
 from verif.video.film import Film, FilmError, screen_build, show, times_ms, write
 from verif.video.orbit import orbit
 
 _SCENE = "models/scenes/three_spheres.toml"
 _FRAMES, _RATE = 24, 24.0
+_CORES = ("model", "rtl")
 _SIMULATOR = Simulator.VERILATOR
 """Icarus takes a minute for a frame of the default screen; it runs the benches of small ones."""
 _MOST = 1000
@@ -44,9 +48,10 @@ class RequestError(Exception):
 
 @dataclass(frozen=True)
 class Request:
-    """What is asked for, checked. draw: makes the pictures."""
+    """What is asked for, checked. draw: makes the pictures, as `core` says: model, rtl, given."""
 
     draw: Callable[[], NDArray[np.uint8]]
+    core: str
     number: int
     rate: float
     out: Path
@@ -60,6 +65,7 @@ def _arguments() -> argparse.Namespace:
     parser.add_argument(
         "--frames", help=f"pictures on the camera's way around the scene; without it {_FRAMES}"
     )
+    parser.add_argument("--core", help="who draws the pictures: model or rtl; without it model")
     parser.add_argument("--rate", help=f"pictures a second; without it {_RATE:g}")
     parser.add_argument("--out", help="folder of the film; without it build/video")
     return parser.parse_args()
@@ -79,19 +85,25 @@ def _number(text: str | None, option: str, default: float, least: float, most: f
     return value
 
 
-def _drawn(path: str, number: int) -> Callable[[], NDArray[np.uint8]]:
-    """The model's pictures of a scene, as large as the frame buffer holds them."""
+def _drawn(path: str, number: int, core: str) -> Callable[[], NDArray[np.uint8]]:
+    """The core's pictures of a scene, as large as the frame buffer holds them."""
     file = load(path)
+    build = smallest(file.scene)
+    if core == "rtl" and build is None:
+        raise RequestError(f"SCENE={path}: no build of the core holds it")
     fmts = formats(BUILDS["default"])
     size = registers(file.view_for(STORE.width, STORE.height), fmts)
     scenes = orbit(file.scene, number)
 
     def draw() -> NDArray[np.uint8]:
-        pictures = []
+        renderings = []
         for done, scene in enumerate(scenes):
             _say(f"  picture {done + 1} of {number}")
-            pictures.append(render(scene, size, fmts).rgb)
-        return np.stack(pictures)
+            renderings.append(render(scene, size, fmts))
+        if core == "rtl" and build is not None:
+            _say("  drawing them through the RTL of the core ...")
+            return core_film.draw(build, scenes, size, renderings, _SIMULATOR)
+        return np.stack([rendering.rgb for rendering in renderings])
 
     return draw
 
@@ -110,6 +122,11 @@ def _given(folder: str) -> tuple[Callable[[], NDArray[np.uint8]], int]:
 def _request(words: argparse.Namespace) -> Request:
     if words.scene is not None and words.pictures is not None:
         raise RequestError("SCENE and PICTURES: name one of them")
+    if words.core is not None and words.pictures is not None:
+        raise RequestError("CORE and PICTURES: name one of them")
+    core = words.core or _CORES[0]
+    if core not in _CORES:
+        raise RequestError(f"CORE={core}: is {' or '.join(_CORES)}")
     version(_SIMULATOR)
     rate = _number(words.rate, "RATE", _RATE, 1, VGA.refresh_hz)
     out = CACHE / "video" if words.out is None else Path(words.out)
@@ -117,11 +134,11 @@ def _request(words: argparse.Namespace) -> Request:
         raise RequestError(f"OUT={out}: is a file; name a folder")
     if words.pictures is not None:
         draw, number = _given(words.pictures)
-        return Request(draw, number, rate, out, words.pictures)
+        return Request(draw, "given", number, rate, out, words.pictures)
     number = int(_number(words.frames, "FRAMES", _FRAMES, 1, _MOST))
     scene = words.scene or _SCENE
     try:
-        return Request(_drawn(scene, number), number, rate, out, scene)
+        return Request(_drawn(scene, number, core), core, number, rate, out, scene)
     except ValueError as error:
         raise RequestError(f"SCENE={scene}: {error}") from None
 
@@ -129,6 +146,7 @@ def _request(words: argparse.Namespace) -> Request:
 def _summary(request: Request, film: Film, drawing: float, simulating: float) -> dict[str, object]:
     return {
         "pictures": request.number,
+        "drawn_by": request.core,
         "pictures_seen": len(film.shown),
         "rate": request.rate,
         "mode": VGA.name,

@@ -80,7 +80,8 @@ def times_ms(film: Film, rate: float, step_ms: int = 1) -> list[int]:
 
 
 def write(film: Film, rate: float, out: Path) -> None:
-    """Each picture as frame-<number>.png, all as animation.png and animation.gif."""
+    """Each picture as frame-<number>.png, all as animation.png and animation.gif, and in half the size, for
+    pages, all as small.gif and four of them as sheet.png."""
     out.mkdir(parents=True, exist_ok=True)
     for old in out.glob("frame-*.png"):
         old.unlink()
@@ -88,8 +89,25 @@ def write(film: Film, rate: float, out: Path) -> None:
         save_png(out / f"frame-{number:03}.png", picture)
     images = [Image.fromarray(picture, "RGB") for picture in film.shown]
     _animate(out / "animation.png", images, times_ms(film, rate))
-    palettes = [image.quantize(dither=Image.Dither.FLOYDSTEINBERG) for image in images]
-    _animate(out / "animation.gif", palettes, times_ms(film, rate, _GIF_MS))
+    times = times_ms(film, rate, _GIF_MS)
+    _animate(out / "animation.gif", [_palette(picture) for picture in film.shown], times)
+    _animate(out / "small.gif", [_palette(_half(picture)) for picture in film.shown], times)
+    save_png(out / "sheet.png", sheet(film.shown))
+
+
+def sheet(shown: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Four pictures of a film, at the quarters of its way, in half the size: as large as one of them."""
+    quarters = [_half(shown[len(shown) * quarter // 4]) for quarter in range(4)]
+    return np.vstack([np.hstack(quarters[:2]), np.hstack(quarters[2:])])
+
+
+def _half(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Of the default screen each stored pixel once: it repeats them twice in either direction."""
+    return picture[::2, ::2]
+
+
+def _palette(picture: NDArray[np.uint8]) -> Image.Image:
+    return Image.fromarray(picture, "RGB").quantize(dither=Image.Dither.FLOYDSTEINBERG)
 
 
 def _animate(path: Path, images: Sequence[Image.Image], times: Sequence[int]) -> None:

@@ -20,7 +20,7 @@ from models.scene.load import load
 from models.video import STORE, VGA, screen
 from verif.env import sources
 from verif.env.simulators import Simulator
-from verif.video.film import show, times_ms
+from verif.video.film import sheet, show, times_ms
 from verif.video.orbit import orbit
 
 _SCENES = sources.ROOT / "models" / "scenes"
@@ -81,6 +81,7 @@ def test_the_command_leaves_the_film_of_a_scene(tmp_path: Path) -> None:
         for number, picture in enumerate(wanted):
             film.seek(number)
             assert np.array_equal(np.asarray(film.convert("RGB")), picture)
+    assert np.array_equal(load_png(out / "sheet.png"), sheet(np.stack(wanted)))
     with Image.open(out / "animation.gif") as film:
         assert film.n_frames == 3  # type: ignore[attr-defined]
         assert film.size == VGA.size
@@ -113,6 +114,8 @@ def test_the_command_shows_pictures_that_are_given_cut_and_in_the_middle(tmp_pat
         (("--rate", "61"), "RATE=61: is 1 to 59.94"),
         (("--pictures", "models"), "PICTURES=models: holds no .png file"),
         (("--pictures", "models", "--scene", "a.toml"), "SCENE and PICTURES: name one of them"),
+        (("--pictures", "models", "--core", "rtl"), "CORE and PICTURES: name one of them"),
+        (("--core", "c"), "CORE=c: is model or rtl"),
         (("--out", "Makefile"), "OUT=Makefile: is a file"),
     ],
 )
@@ -120,6 +123,14 @@ def test_a_wrong_request_is_one_sentence(words: tuple[str, ...], expected: str) 
     answer = _video(*words)
     assert (answer.code, answer.out, answer.err.count("\n")) == (2, "", 1), answer
     assert re.search(expected, answer.err), answer.err
+
+
+def test_the_still_of_the_page_is_what_is_seen() -> None:
+    """`make video CORE=rtl FRAMES=12 RATE=12` leaves it as sheet.png."""
+    file, fmts = load(_SCENES / "three_spheres.toml"), formats(BUILDS["default"])
+    size = registers(file.view_for(STORE.width, STORE.height), fmts)
+    seen = np.stack([screen(render(turned, size, fmts).rgb) for turned in orbit(file.scene, 4)])
+    assert np.array_equal(load_png(sources.HDL / "pictures" / "orbit.png"), sheet(seen))
 
 
 def test_the_camera_goes_once_around_at_the_same_distance() -> None:
