@@ -1,119 +1,30 @@
 """The whole core: its benches on every build, and every scene of the project as a picture."""
 
-import zlib
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
 
 import pytest
 
 from models.core import render
-from verif.core.builds import core_build, stepped_build
+from verif.core.builds import core_build
+from verif.core.cases import CASES, Case, simulate
 from verif.env import sources, units
-from verif.env.build import CACHE, Build
-from verif.env.run import run
+from verif.env.build import CACHE
 from verif.env.simulators import MissingTool, Simulator, version
 from verif.render.compare import Expected, Summary, expect, summarise
 from verif.render.job import Job, request
-from verif.render.simulate import Drawn, simulate
+from verif.render.simulate import Drawn
+from verif.render.simulate import simulate as draw
 
 SCENES = tuple(sorted((sources.ROOT / "models" / "scenes").iterdir()))
-
-
-@dataclass(frozen=True)
-class Design:
-    """A core to be tested: a named build and what differs from it; stepped: for benches that look at every
-    clock."""
-
-    build: str = "default"
-    simulator: Simulator = Simulator.VERILATOR
-    changes: Mapping[str, int] = field(default_factory=dict)
-    stepped: bool = False
-
-    def __str__(self) -> str:
-        words = [self.build, *(str(value) for value in self.changes.values()), str(self.simulator)]
-        return "-".join(words)
-
-    def made(self, waves: bool) -> Build:
-        """How it is built."""
-        builder = stepped_build if self.stepped else core_build
-        return builder(self.build, self.simulator, waves, self.changes)
-
-
-@dataclass(frozen=True)
-class Case:
-    """One run of one of the core's benches.
-
-    share: of the usual number of Hypothesis examples, and most_examples a property. scenes: drawn single
-    frames. most_pixels: of the drawn pictures; rate_size: side of the square whose clocks are counted.
-    tests: those that run, all where there are none.
-    """
-
-    bench: str
-    design: Design
-    share: float = 1.0
-    scenes: int = 0
-    most_pixels: int = 48
-    rate_size: int = 128
-    tests: tuple[str, ...] = ()
-
-    def __str__(self) -> str:
-        return f"{self.bench}-{self.design}"
-
-    def seed(self, root: int) -> int:
-        """Of its own: no two runs draw the same scenes."""
-        return root + zlib.crc32(str(self).encode()) % 1000
-
-    def examples(self, usual: int) -> int:
-        """Hypothesis examples a property."""
-        return max(1, round(usual * self.share))
-
-
-_DEFAULT = Design()
-_BOOK = Design("book")
-_WIDE = Design("wide")
-_STEPPED = Design(stepped=True)
-_ONE = Design(changes={"UNITS": 1, "PIXELS_IN_FLIGHT": 4, "LEVEL_ROOM": 4}, stepped=True)
-_THREE = Design(changes={"UNITS": 3, "PIXELS_IN_FLIGHT": 16, "LEVEL_ROOM": 4}, stepped=True)
-# Icarus simulates about 300 clocks of the core in a second, and a frame takes 600 and more.
-_ICARUS = Design(simulator=Simulator.ICARUS, stepped=True)
-
-_NO_MARGIN = (
-    "every_drawn_scene_is_exact_in_every_pixel_hit_and_counter",
-    "a_light_at_the_hit_point_is_left_out_and_counted",
-    "triangles_without_area_are_left_out_and_counted",
-)
-
-_CASES = (
-    Case("pictures", _DEFAULT, scenes=400),
-    Case("frames", _DEFAULT),
-    Case("faults", _DEFAULT),
-    Case("rooms", _DEFAULT, share=0.5),
-    Case("rate", _DEFAULT),
-    Case("streams", _STEPPED),
-    Case("pictures", _ONE, scenes=150),
-    Case("frames", _ONE, share=0.5),
-    Case("faults", _ONE, share=0.5),
-    Case("rooms", _ONE, share=0.5),
-    Case("streams", _ONE, share=0.5),
-    Case("pictures", _THREE, scenes=150),
-    Case("rooms", _THREE, share=0.5),
-    Case("streams", _THREE, share=0.5),
-    Case("pictures", _BOOK, scenes=100, tests=_NO_MARGIN),
-    Case("pictures", _WIDE, scenes=30, share=0.2, most_pixels=4),
-    Case("rooms", _WIDE, share=0.1),
-    Case("pictures", _ICARUS, share=0.02, scenes=10, most_pixels=2, tests=_NO_MARGIN),
-    Case("faults", _ICARUS, share=0.02, most_pixels=2, tests=("reset_at_any_clock_leaves_a_core_as_new",)),
-    Case("streams", _ICARUS, share=0.02, most_pixels=12),
-)
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """A test for each run and for each scene."""
     wanted = metafunc.config.option.sim
     if "case" in metafunc.fixturenames:
-        cases = [case for case in _CASES if wanted in (None, str(case.design.simulator))]
+        cases = [case for case in CASES if wanted in (None, str(case.design.simulator))]
         metafunc.parametrize("case", cases, ids=str)
     if "scene" in metafunc.fixturenames:
         metafunc.parametrize("scene", SCENES, ids=lambda path: path.stem)
@@ -132,30 +43,8 @@ def _need(simulator: Simulator, config: pytest.Config) -> None:
 def test_core(case: Case, pytestconfig: pytest.Config) -> None:
     """The bench passes."""
     option = pytestconfig.option
-    design = case.design
-    _need(design.simulator, pytestconfig)
-    build = design.made(option.waves)
-    database = None if units.in_ci() else str(CACHE / "hypothesis" / f"core-{case}")
-    outcome = run(
-        build,
-        f"verif.core.{case.bench}",
-        f"core-{case}",
-        seed=case.seed(option.seed),
-        settings={
-            "parameters": dict(build.parameters),
-            "examples": case.examples(option.examples),
-            "database": database,
-            "extra": {
-                "build": design.build,
-                "simulator": design.simulator,
-                "stepped": design.stepped,
-                "most_pixels": case.most_pixels,
-                "scenes": case.scenes,
-                "rate_size": case.rate_size,
-            },
-        },
-        tests=",".join(case.tests) or None,
-    )
+    _need(case.design.simulator, pytestconfig)
+    outcome = simulate(case, seed=option.seed, examples=option.examples, waves=option.waves)
     if not outcome.passed:
         again = f"python -m pytest 'verif/test_core.py::test_core[{case}]' --seed {option.seed}"
         if option.examples != units.EXAMPLES:
@@ -173,9 +62,7 @@ def _drawn(job: Job) -> tuple[Summary, Drawn, Expected]:
     expected = expect(job)
     build = core_build(job.build, job.simulator)
     name = f"picture-{job.name}-{job.view.width}x{job.view.height}-{job.build}-{job.simulator}"
-    drawn = simulate(
-        build, job.frame, job.registers, name, job.out, clocks_per_pixel=expected.clocks_per_pixel
-    )
+    drawn = draw(build, job.frame, job.registers, name, job.out, clocks_per_pixel=expected.clocks_per_pixel)
     summary = summarise(job, drawn, expected)
     print(summary)
     assert summary.mismatched_pixels == 0

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from models.core import Registers
 from models.limits import Fault
 from models.scene.frame import Frame, check, unpack
+from models.scene.types import View
 from verif.core.frames import once, send_all
 from verif.core.setting import Setting
 from verif.core.strategies import (
@@ -19,7 +20,6 @@ from verif.core.strategies import (
     FaultyFrame,
     Shot,
     counter_bits,
-    depths,
     faulty_frames,
     flipped,
     splitting,
@@ -133,35 +133,46 @@ async def flipped_bits_give_the_picture_they_describe_or_the_right_fault(dut: An
 
 @cocotb.test()
 async def reset_at_any_clock_leaves_a_core_as_new(dut: Any) -> None:
-    """While a frame is loaded, set up, drawn or drained, pixels taken or not; the next frame is exact.
-
-    The frame is of any kind, or a tree in which every hit splits, so that secondary rays of all depths are
-    under way.
-    """
+    """While a frame is loaded, set up, drawn or drained, pixels taken or not; the next frame is exact."""
     setting = Setting.of(dut)
     core = setting.core
-    seen: Counter[str] = Counter()
 
-    def tree(depth: int) -> Shot:
-        return Shot(splitting(setting.design.capacity), Registers(8, 6, 37837, 37837, depth), None)
-
-    async def example(moment: tuple[Shot, int], again: bool, taken: bool, after: Shot) -> None:
-        before, wait = moment
+    async def example(before: Shot, again: bool, taken: bool, wait: int, after: Shot) -> None:
         await core.reset(before.registers)
         core.take(taken)
         words = setting.words(before.scene)
         sender = cocotb.start_soon(send_all(core, [words, words] if again else [words]))
         await core.wait(wait)
-        seen["busy"] += core.busy
-        seen["secondary rays under way"] += core.busy and core.counts.secondary_rays > 0
         sender.cancel()
         await core.reset(after.registers)
         same("busy behind reset", False, core.busy)
         setting.same_since_reset(setting.same_picture(after, await setting.draw(after)))
 
-    any_kind = st.tuples(setting.shots(), st.integers(0, 1500))
-    trees = st.tuples(depths().map(tree), st.integers(0, 8000))
-    await holds(setting.run, example, any_kind | trees, st.booleans(), st.booleans(), setting.shots())
-    dut._log.info("of %d resets: %s", setting.run.examples, dict(seen))
-    if setting.run.examples >= _ENOUGH_EXAMPLES:
-        assert seen["secondary rays under way"] >= 3, f"only seen: {dict(seen)}"
+    flag, moments = st.booleans(), st.integers(0, 1500)
+    await holds(setting.run, example, setting.shots(), flag, flag, moments, setting.shots())
+
+
+@cocotb.test()
+async def reset_with_rays_of_every_depth_under_way_leaves_a_core_as_new(dut: Any) -> None:
+    """In the middle of trees in which every hit splits, at clocks of the seed; the next one is exact."""
+    setting = Setting.of(dut)
+    core = setting.core
+    view = View.square(8, 6, 70)
+    scene = splitting(setting.design.capacity)
+    tree = Shot(scene, setting.registers(view), view)
+    leaf = Shot(scene, replace(tree.registers, width=2, height=2), None)
+    await core.reset(tree.registers)
+    whole = setting.same_picture(tree, await setting.draw(tree))
+    drawing = core.cycles
+    random = setting.run.generator(0)
+    for part in random.uniform(0.3, 0.95, max(1, setting.run.examples // 3)):
+        await core.reset(tree.registers)
+        core.take(bool(random.integers(2)))
+        sender = cocotb.start_soon(core.send(setting.words(scene)))
+        await core.wait(round(part * drawing))
+        await sender
+        under_way = core.counts.secondary_rays
+        assert 0 < under_way < whole.counts.secondary_rays, f"{under_way} secondary rays: nothing to reset"
+        await core.reset(leaf.registers)
+        same("busy behind reset", False, core.busy)
+        setting.same_since_reset(setting.same_picture(leaf, await setting.draw(leaf)))

@@ -69,17 +69,20 @@ async def every_drawn_scene_is_exact_in_every_pixel_hit_and_counter(dut: Any) ->
     setting = Setting.of(dut)
     seen: Counter[str] = Counter()
     waits: Counter[str] = Counter()
+    scenes: set[Scene] = set()
 
     async def example(shot: Shot) -> None:
         await setting.core.reset(shot.registers)
         wanted = setting.same_picture(shot, await setting.draw(shot))
         setting.same_since_reset(wanted)
+        scenes.add(shot.scene)
         seen.update(classes(shot, wanted))
         waits.update(setting.core.waits)
 
     await holds(replace(setting.run, examples=setting.scenes), example, setting.shots())
-    dut._log.info("pictures by class: %s", dict(seen))
+    dut._log.info("%d scenes, pictures by class: %s", len(scenes), dict(seen))
     dut._log.info("pictures that waited for: %s", dict(waits))
+    assert len(scenes) >= setting.scenes // 2, f"only {len(scenes)} different scenes"
     if setting.scenes >= _ENOUGH_EXAMPLES:
         assert seen.keys() >= CLASSES, f"never drawn: {CLASSES - seen.keys()}"
     if setting.scenes >= _ENOUGH_WAITING and setting.small:
@@ -166,9 +169,7 @@ async def rays_are_followed_to_the_depth_of_the_register_and_no_deeper(dut: Any)
 async def nothing_is_seen_through_a_closed_mesh(dut: Any) -> None:
     """Shared-edge triangles before a wall, the camera aimed at a corner, an edge or a face of them."""
     setting = Setting.of(dut)
-    sizes = st.sampled_from(
-        [size for size in _PIN_HOLE_SIZES if size[0] * size[1] <= 9 * setting.most_pixels]
-    )
+    sizes = st.sampled_from(_PIN_HOLE_SIZES if setting.most_pixels >= _FINE_PICTURES else _PIN_HOLE_SIZES[:1])
 
     async def example(scene: PinHole, size: tuple[int, int], angle: int, depth: int) -> None:
         view = View.square(*size, angle)
@@ -176,7 +177,9 @@ async def nothing_is_seen_through_a_closed_mesh(dut: Any) -> None:
         await setting.core.reset(shot.registers)
         got = await setting.draw(shot)
         setting.same_picture(shot, got)
-        leaks = scene.seen_through(got.rgb.reshape(size[1], size[0], 3), view)
+        picture = got.rgb.reshape(size[1], size[0], 3)
+        # A back that is seen may be as near as the front, but for rounding: thin corners.
+        leaks = scene.seen_through(picture, view) & (picture != PinHole.HIDDEN_COLOUR).any(axis=-1)
         if leaks.any():
             raise Mismatch(f"{leaks.sum()} pixels look through the mesh of {scene.scene}")
 

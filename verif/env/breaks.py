@@ -1,22 +1,28 @@
-"""Proves that the benches can fail: changes one line of the design and runs the unit's bench.
+"""Proves that the benches can fail: changes one line of the design and runs the bench that must notice.
 
     python -m verif.env.breaks [unit ...] [--sim verilator]
 
-Each unit names its breaks (`verif.env.unit.Break`). The change goes into the sources of one build, never into
-the tree. Exit code 1 where a break is not caught.
+Each unit names its breaks (`verif.env.unit.Break`), and `core` is the whole core with its own. The change
+goes into the sources of one build, never into the tree. Exit code 1 where a break is not caught.
 """
 
 import argparse
+import importlib
 import sys
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 from verif.env import sources, units
 from verif.env.build import BuildError
+from verif.env.run import Outcome
 from verif.env.simulators import Simulator
 from verif.env.unit import Break
+
+_LARGER = {"core": "verif.core.breaks"}
+"""What is broken beside units, and the module whose SUBJECT it is."""
 
 _EFFORT = units.Effort(examples=30, operands=5_000)
 _SEED = 1
@@ -45,23 +51,70 @@ def changed(change: Break) -> dict[Path, str]:
     return {path: text.replace(change.old, change.new)}
 
 
-def judge(name: str, number: int, change: Break, simulator: Simulator) -> Verdict:
-    """Runs the bench of a unit on the changed design.
+class Subject(Protocol):
+    """Something whose lines are changed one by one."""
 
-    Raises UselessBreak where the changed design does not build: a compiler's refusal proves nothing.
-    """
-    start = time.monotonic()
-    try:
-        outcome = units.simulate(
-            name,
+    @property
+    def name(self) -> str:
+        """What the table calls it."""
+
+    @property
+    def breaks(self) -> Sequence[Break]:
+        """The lines."""
+
+    def run(
+        self, change: Break, replacements: Mapping[Path, str], run_name: str, simulator: Simulator
+    ) -> Outcome:
+        """Runs the bench that must notice on the changed design."""
+
+
+@dataclass(frozen=True)
+class _UnitSubject:
+    """A unit and its bench."""
+
+    name: str
+
+    @property
+    def breaks(self) -> Sequence[Break]:
+        return units.find(self.name).breaks
+
+    def run(
+        self, change: Break, replacements: Mapping[Path, str], run_name: str, simulator: Simulator
+    ) -> Outcome:
+        return units.simulate(
+            self.name,
             simulator,
             change.set,
             seed=_SEED,
             effort=_EFFORT,
-            replacements=changed(change),
-            run_name=f"break-{name}-{number}-{simulator}",
+            replacements=replacements,
+            run_name=run_name,
             shrink=False,
         )
+
+
+def names() -> tuple[str, ...]:
+    """All there is to break."""
+    return (*units.names(), *_LARGER)
+
+
+def subject(name: str) -> Subject:
+    """What is called so. Raises KeyError where nothing is."""
+    if name not in _LARGER:
+        return _UnitSubject(name)
+    found: Subject = importlib.import_module(_LARGER[name]).SUBJECT
+    return found
+
+
+def judge(what: Subject, number: int, change: Break, simulator: Simulator) -> Verdict:
+    """Runs the bench on the changed design.
+
+    Raises UselessBreak where the changed design does not build: a compiler's refusal proves nothing.
+    """
+    start = time.monotonic()
+    name = what.name
+    try:
+        outcome = what.run(change, changed(change), f"break-{name}-{number}-{simulator}", simulator)
     except BuildError as error:
         raise UselessBreak(f"{name}, break {number}: {error}") from error
     failed = tuple(test for test, text in outcome.tests.items() if text)
@@ -70,11 +123,11 @@ def judge(name: str, number: int, change: Break, simulator: Simulator) -> Verdic
     return Verdict(name, change, failed, time.monotonic() - start)
 
 
-def verdicts(names: Sequence[str], simulator: Simulator) -> Iterator[Verdict]:
+def verdicts(wanted: Sequence[str], simulator: Simulator) -> Iterator[Verdict]:
     """One of each break of each unit."""
-    for name in names:
-        for number, change in enumerate(units.find(name).breaks):
-            yield judge(name, number, change, simulator)
+    for what in map(subject, wanted):
+        for number, change in enumerate(what.breaks):
+            yield judge(what, number, change, simulator)
 
 
 def row(verdict: Verdict) -> str:
@@ -91,7 +144,7 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--sim", type=Simulator, choices=list(Simulator), default=Simulator.VERILATOR)
     options = parser.parse_args(arguments)
     missed = caught = 0
-    for verdict in verdicts(options.units or units.names(), options.sim):
+    for verdict in verdicts(options.units or names(), options.sim):
         print(row(verdict), flush=True)
         caught += bool(verdict.failed)
         missed += not verdict.failed
