@@ -65,10 +65,11 @@ def test_the_default_screen_shows_each_picture_whole_at_24_a_second(pytestconfig
 
 
 @pytest.mark.usefixtures("verilator")
-def test_the_command_leaves_the_film_of_a_scene(tmp_path: Path) -> None:
-    """Each seen picture is the model's, as the screen shows it; both films have them all."""
+@pytest.mark.parametrize("core", ["model", "rtl"])
+def test_the_command_leaves_the_film_of_a_scene(core: str, tmp_path: Path) -> None:
+    """Each seen picture is the model's, whoever draws it, as the screen shows it; both films have them all."""
     scene, out = _SCENES / "one_sphere.toml", tmp_path / "film"
-    answer = _video("--scene", str(scene), "--frames", "3", "--out", str(out))
+    answer = _video("--scene", str(scene), "--core", core, "--frames", "3", "--out", str(out))
     assert answer.code == 0, answer
     assert "seen      3 of 3 pictures" in answer.out
     file, fmts = load(scene), formats(BUILDS["default"])
@@ -88,6 +89,7 @@ def test_the_command_leaves_the_film_of_a_scene(tmp_path: Path) -> None:
     summary = json.loads((out / "summary.json").read_text())
     assert summary["wrong_frames"] == 0
     assert summary["pictures_seen"] == 3
+    assert summary["drawn_by"] == core
 
 
 @pytest.mark.usefixtures("verilator")
