@@ -71,15 +71,15 @@ def _camera(_: Parameters) -> int:
     return view + 3 * products + bases + divisions + done
 
 
-def _unit_vector(_: Parameters) -> int:
-    fmts = formats(Knobs())
+def _unit_vector(parameters: Parameters) -> int:
+    fmts = selected(parameters)
     unit = {"INT": 1, "FRAC": fmts.mantissa.frac_bits, "OUT_FRAC": fmts.unit.frac_bits}
     return _BLOCK_SHIFT + _normalise(unit)
 
 
-def _light_vector(_: Parameters) -> int:
+def _light_vector(parameters: Parameters) -> int:
     difference = limit = 1
-    return difference + _unit_vector({}) + limit
+    return difference + _unit_vector(parameters) + limit
 
 
 def _intersection(parameters: Parameters) -> int:
@@ -117,8 +117,8 @@ def _children(_: Parameters) -> int:
     return _TABLE + _PRODUCT + _refract({}) + _RESULT_REGISTER
 
 
-def _lighting(_: Parameters) -> int:
-    return _light_vector({}) + _TABLE + _PHONG + _PRODUCT + _RESULT_REGISTER
+def _lighting(parameters: Parameters) -> int:
+    return _light_vector(parameters) + _TABLE + _PHONG + _PRODUCT + _RESULT_REGISTER
 
 
 LATENCY: dict[str, Callable[[Parameters], int]] = {

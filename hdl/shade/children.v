@@ -11,14 +11,15 @@
 //   SLOT_W, DEPTH_W    bits of a pixel slot, of a depth
 //   LIGHT_W            bits of the number of a step
 //   COUNT_W            bits of an amount of work
-//   MIN_WEIGHT         smallest weight, RT_SHADE raw
+//   MIN_WEIGHT         smallest weight, RT_SHADE raw, at least 1: where the frame has no mirror there is
+//                      no place for a mirrored ray of weight 0
 //
 // Ports
 //   table_*     rows of materials, see object_setup
 //   max_depth   of the deepest ray; reflects, transmits: what the frame's objects do. A ray of less
 //               depth has as many places reserved in the ray store as these two are set
 //   in_*        a step: of a hit (`in_hit`) or of a ray that missed; branching: step 1 is the transmitted
-//               ray's; own: {1, number} of the triangle that was hit, else {0, any};
+//               ray's; own: {1, number} of the triangle that was hit, else {0, number};
 //               direction, normal, mirrored, cosine as reflect gives them; index, leaving: see refract
 //   child_*     a child: its depth and {slot, own, weight, point, direction}
 //   settle_*    places of the ray store that stay empty
@@ -83,6 +84,12 @@ module children #(
     localparam [LIGHT_W-1:0] REFLECTED = 0;
     localparam [LIGHT_W-1:0] TRANSMITTED = 1;
     localparam [DEPTH_W-1:0] ONE_DEEPER = 1;
+
+    generate
+        if (MIN_WEIGHT < 1 || MIN_WEIGHT >> SHADE_W != 0) begin : g_bad_weight
+            children_needs_a_MIN_WEIGHT_of_1_or_more_that_RT_SHADE_holds error ();
+        end
+    endgenerate
 
     // ------------------------------------------------ k_reflection, k_transparency
     reg [SHARES_W-1:0] shares[0:OBJECTS-1];

@@ -1,0 +1,1 @@
+"""Bench of the light that each step of a hit adds."""
