@@ -67,7 +67,7 @@ def test_the_default_screen_shows_each_picture_whole_at_24_a_second(pytestconfig
 @pytest.mark.usefixtures("verilator")
 @pytest.mark.parametrize("core", ["model", "rtl"])
 def test_the_command_leaves_the_film_of_a_scene(core: str, tmp_path: Path) -> None:
-    """Each seen picture is the model's, whoever draws it, as the screen shows it; both films have them all."""
+    """Each seen picture is the model's, whoever draws it, as the screen shows it; the films have them all."""
     scene, out = _SCENES / "one_sphere.toml", tmp_path / "film"
     answer = _video("--scene", str(scene), "--core", core, "--frames", "3", "--out", str(out))
     assert answer.code == 0, answer
