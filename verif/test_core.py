@@ -9,11 +9,11 @@ import pytest
 from models.core import render
 from verif.core.builds import core_build
 from verif.core.cases import CASES, Case, simulate
+from verif.core.job import Job, request
 from verif.env import sources, units
 from verif.env.build import CACHE
 from verif.env.simulators import MissingTool, Simulator, version
 from verif.render.compare import Expected, Summary, expect, summarise
-from verif.render.job import Job, request
 from verif.render.simulate import Drawn
 from verif.render.simulate import simulate as draw
 

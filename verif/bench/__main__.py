@@ -19,9 +19,9 @@ from numpy.typing import NDArray
 
 from models.core import render
 from verif.core.builds import core_build
+from verif.core.job import Job, request
 from verif.env.build import CACHE, Build, ensure
 from verif.env.simulators import MissingTool, verilator_root
-from verif.render.job import Job, request
 from verif.render.simulate import simulate
 
 _FOLDER = CACHE / "bench"

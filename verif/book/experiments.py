@@ -15,8 +15,8 @@ from models.limits import INFINITY, MAX_DEPTH
 from models.scene.load import load
 from models.scene.types import Camera, Scene, SceneFile, Sphere, View
 from verif.core.builds import core_build
+from verif.core.job import Job, request
 from verif.render.compare import Summary, expect, summarise
-from verif.render.job import Job, request
 from verif.render.simulate import simulate
 
 SCENES = Path("models/scenes")

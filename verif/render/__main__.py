@@ -18,10 +18,10 @@ from models.limits import Fault
 from models.scene.errors import SceneError
 from verif.core import probe
 from verif.core.builds import core_build
+from verif.core.job import Job, RequestError, request
 from verif.env.build import BuildError, ensure
 from verif.env.simulators import MissingTool
 from verif.render.compare import Expected, Summary, expect, summarise, wrong_pixels
-from verif.render.job import Job, RequestError, request
 from verif.render.simulate import Drawn, SimulationError, simulate
 
 _GAIN = 32

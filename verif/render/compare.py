@@ -9,8 +9,8 @@ import numpy as np
 from models import images, reference
 from models.core import Rendering, render
 from models.reference import Rendering as ReferenceRendering
+from verif.core.job import Job
 from verif.env.simulators import version
-from verif.render.job import Job
 from verif.render.simulate import Drawn
 from verif.render.worst import WorstPixel, worst_pixels
 
