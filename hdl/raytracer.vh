@@ -135,7 +135,7 @@
 `define RT_T_MIN (1 << (`RT_POINT_FRAC - 6))
 `define RT_INFINITY (262143 << (`RT_POINT_FRAC - 10))
 
-// Secondary rays: smallest weight, with the fraction of RT_SHADE, and depth of the deepest.
+// Secondary rays: smallest weight, with the fraction of RT_SHADE; greatest depth.
 `define RT_MIN_WEIGHT (1 << (`RT_SHADE_FRAC - 8))
 `define RT_MAX_DEPTH 5
 

@@ -97,7 +97,7 @@ def text() -> str:
         lines += ["", *_format(name, row)]
     lines += ["", "// Distances, with the fraction of RT_POINT."]
     lines += [_constant(name, getattr(limits, name), "POINT") for name in ("T_MIN", "INFINITY")]
-    lines += ["", "// Secondary rays: smallest weight, with the fraction of RT_SHADE, and depth of the deepest."]
+    lines += ["", "// Secondary rays: smallest weight, with the fraction of RT_SHADE; greatest depth."]
     lines += [_constant("MIN_WEIGHT", limits.MIN_WEIGHT, "SHADE"), f"`define RT_MAX_DEPTH {limits.MAX_DEPTH}"]
     lines += ["", "// Trace units of the default build.", f"`define RT_UNITS {limits.UNITS}"]
     lines += ["", "// Fault codes."]
