@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// merge: several valid/ready streams into one, fairly: whoever was served last is served last.
+// merge: several valid/ready streams into one, fairly: those that wait are served in turn, by number.
+// While a stream waits each of the others is served once at most.
 //
 // Parameters
 //   PORTS  streams, at least 1
@@ -34,7 +35,7 @@ module merge #(
         end
     endgenerate
 
-    // Streams that have been served since the round began; the round ends where only those wait.
+    // The stream that was served last, and those below it: the others come first.
     reg [PORTS-1:0] served_reg;
     reg valid_reg;
     reg [WIDTH-1:0] data_reg;
@@ -56,8 +57,7 @@ module merge #(
 
     always @(posedge clk) begin
         if (rst) served_reg <= {PORTS{1'b0}};
-        else if (free && any)
-            served_reg <= fresh != {PORTS{1'b0}} ? served_reg | grant : grant;
+        else if (free && any) served_reg <= grant | (grant - 1'b1);
     end
 
     always @(posedge clk) begin

@@ -1,0 +1,1 @@
+"""Bench of the fair merge of streams."""
