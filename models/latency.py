@@ -130,6 +130,7 @@ LATENCY: dict[str, Callable[[Parameters], int]] = {
     "cross_product": _constant(_DOT),
     "delay": lambda parameters: parameters.get("DEPTH", 1),
     "dim": _constant(0),
+    "dispatch": _constant(0),
     "div": _div,
     "div_core": _div_core,
     "div_iter": lambda parameters: parameters.get("NUM_W", 24),

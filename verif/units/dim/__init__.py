@@ -1,0 +1,1 @@
+"""Bench of the light behind an object."""

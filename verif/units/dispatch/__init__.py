@@ -1,0 +1,1 @@
+"""Bench of the dispatch of rays to trace units."""
