@@ -25,13 +25,13 @@ from models.scene.strategies import whole_scenes
 from models.scene.toml_writer import to_toml
 from models.scene.types import Scene, SceneFile, View
 from verif.core.driver import CoreDriver, Picture
+from verif.core.job import Job
 from verif.core.strategies import Shot, shots
 from verif.env import context, sources
 from verif.env.block import same
 from verif.env.clocking import PERIOD_NS
 from verif.env.pipelined import Mismatch
 from verif.env.simulators import Simulator
-from verif.render.job import Job
 
 T = TypeVar("T")
 
