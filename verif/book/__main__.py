@@ -2,7 +2,8 @@
 
     python -m verif.book [timing] [precision] [vanishing] [depths]      (make book)
 
-Without a name all of them. Exit code 0; 2 where a name or a tool is missing.
+Without a name all of them. Exit code 0; 1 where a picture is not the model's; 2 where a name or a tool is
+missing.
 """
 
 import argparse
@@ -13,7 +14,9 @@ from collections.abc import Callable, Iterator
 from models.pages import replaced
 from verif.book import experiments, plots
 from verif.env import sources
+from verif.env.build import BuildError
 from verif.env.simulators import MissingTool
+from verif.render.simulate import SimulationError
 
 PAGE = sources.HDL / "BOOK.md"
 PICTURES = sources.HDL / "pictures"
@@ -95,6 +98,9 @@ def main() -> int:
     except MissingTool as error:
         _say(str(error))
         return 2
+    except (BuildError, SimulationError, experiments.WrongPicture) as error:
+        _say(str(error))
+        return 1
     return 0
 
 

@@ -16,6 +16,7 @@ from models.scene.load import load
 from models.scene.types import Camera, Scene, SceneFile, Sphere, View
 from verif.core.builds import core_build
 from verif.core.job import Job, request
+from verif.env.build import CACHE
 from verif.render.compare import Summary, expect, summarise
 from verif.render.simulate import simulate
 
@@ -34,6 +35,10 @@ RADII = (1, 8, RADIUS.max)
 
 SIZE = 512
 Progress = Callable[[str], None]
+
+
+class WrongPicture(RuntimeError):
+    """A pixel of the RTL is not the model's: its figures mean nothing."""
 
 
 @dataclass(frozen=True)
@@ -81,15 +86,15 @@ class Depth:
 
 
 def _drawn(job: Job, progress: Progress) -> Summary:
-    """Through the RTL, every pixel compared. Raises ValueError where one is not the model's."""
+    """Through the RTL, every pixel compared. Raises WrongPicture where one is not the model's."""
     progress(f"{job.name}, {job.view.width} x {job.view.height}, depth {job.depth}")
     expected = expect(job)
     build = core_build(job.build, job.simulator)
-    folder = Path("build") / "book"
+    folder = CACHE / "book"
     drawn = simulate(build, job.frame, job.registers, f"book-{job.name}-{job.depth}", folder, None, 256)
     summary = summarise(job, drawn, expected)
     if summary.mismatched_pixels:
-        raise ValueError(f"{job.name}: {summary.mismatched_pixels} pixels are not the model's")
+        raise WrongPicture(f"{job.name}: {summary.mismatched_pixels} pixels are not the model's")
     return summary
 
 
