@@ -13,7 +13,8 @@
 //   cycles, *_rays, tests   of the last frame, or of the one under way
 //   lights_at_point, degenerate   since reset
 //
-// All counters have 32 bits and wrap.
+// All counters have 32 bits and wrap. They show an event one clock later; what happens in the clock of
+// frame_start belongs to no frame.
 
 `default_nettype none
 

@@ -8,6 +8,7 @@ from typing import Any
 import cocotb
 from hypothesis import strategies as st
 
+from models.latency import LATENCY
 from verif.env import context
 from verif.env.block import Block, holds, same
 from verif.env.pipelined import Mismatch
@@ -81,6 +82,7 @@ class StepsBench(Block):
     def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
         super().__init__(dut, idle=("in_valid", "direct_back", "shadow_back"))
         self.set(in_item=0, in_hit=0, in_branching=0, lights=0)
+        self.parameters = parameters
         self._mask = (1 << parameters["ITEM_W"]) - 1
         self.most_lights = (1 << parameters["LIGHT_W"]) - 1
         self.room = parameters["ROOM"]
@@ -239,7 +241,7 @@ async def rate_is_one_step_a_clock(dut: Any) -> None:
         await bench.restart(lights)
         kinds = list(product((False, True), repeat=2)) * 5
         clocks = await bench.hits([Hit(number, *kind) for number, kind in enumerate(kinds)])
-        same("clocks", 1 + bench.steps, clocks)
+        same("clocks", LATENCY["steps"](bench.parameters) + bench.steps, clocks)
 
 
 @cocotb.test()
