@@ -45,12 +45,7 @@ BREAKS = (
     Break(_TOP, ".slot_ready(slot_ready && room),", ".slot_ready(slot_ready),", "many pixels"),
     Break(_TOP, "COUNT_W = MAX_DEPTH + LIGHT_COUNT_W + 2;", "COUNT_W = 3;", "rooms"),
     # Registers: the depth of the next frame, the size of the next frame; go.
-    Break(
-        _TOP,
-        ".max_depth     (depth_reg),\n        .light_index",
-        ".max_depth     (depth),\n        .light_index",
-        "frames",
-    ),
+    Break(_TOP, ".max_depth     (depth_reg),", ".max_depth     (depth),", "frames"),
     Break(_TOP, "        if (size_lock) begin", "        if (swap) begin", "frames"),
     Break("control.v", "if (waiting_reg && go)", "if (waiting_reg)", "frames"),
     Break("control.v", "if (rst || swap) waiting_reg", "if (swap) waiting_reg", "faults"),
@@ -74,9 +69,7 @@ BREAKS = (
         "many units",
     ),
     # Pixels: present where they are not; a reset that leaves one behind.
-    Break(
-        "pixel/pixel_queue.v", "if (rst) present_reg <= {SLOTS{1'b0}};\n        else begin", "begin", "faults"
-    ),
+    Break("pixel/pixel_queue.v", "if (rst) present_reg <=", "if (1'b0) present_reg <=", "faults"),
 )
 
 

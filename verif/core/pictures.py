@@ -158,9 +158,8 @@ async def rays_are_followed_to_the_depth_of_the_register_and_no_deeper(dut: Any)
     scene = splitting(setting.design.capacity)
     view = View.square(2, 2, 60)
     for depth in range(1, MAX_DEPTH + 1):
-        size = Registers(2, 2, 30000, 30000, depth)
-        await setting.core.reset(size)
-        shot = Shot(scene, size, view)
+        shot = Shot(scene, setting.registers(view, depth), view)
+        await setting.core.reset(shot.registers)
         wanted = setting.same_picture(shot, await setting.draw(shot))
         same(f"secondary rays at depth {depth}", 4 * (2**depth - 2), wanted.counts.secondary_rays)
 
