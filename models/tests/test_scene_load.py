@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 
+from models.cores import CORES
 from models.limits import Fault
 from models.scene.errors import SceneError
 from models.scene.frame import CounterWidths, Frame, check, pack
@@ -14,9 +15,10 @@ ONE_SPHERE = ("one_sphere", "crescent", "close_up", "inside", "far", "tilted")
 
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
-def test_the_projects_scenes_fit_the_default_core(path: Path) -> None:
+def test_the_projects_scenes_fit_the_core_that_their_name_says(path: Path) -> None:
     file = load(path)
-    assert check(pack(file.scene).words) is Fault.NONE
+    counters = CORES["wide" if path.stem.endswith("_wide") else "default"].counters
+    assert check(pack(file.scene, counters).words, counters) is Fault.NONE
     assert file.title
     assert file.notes
     assert file.view is not None
@@ -40,7 +42,7 @@ def test_the_books_second_timing_scene_is_there() -> None:
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
 def test_a_packed_frame_in_a_hex_file_is_the_same_scene(path: Path, tmp_path: Path) -> None:
     scene = load(path).scene
-    counters = CounterWidths(4, 5, 6)
+    counters = CounterWidths(5, 7, 6)
     (tmp_path / "frame.HEX").write_text(pack(scene, counters).to_hex(path.name), encoding="utf-8")
     read = load(tmp_path / "frame.HEX", counters)
     assert read.scene == scene

@@ -258,10 +258,19 @@ def test_each_variant_of_a_kind_is_drawn(name: str, what: str) -> None:
     assert any(map(SOMETIMES[name][what], samples(name)))
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if name != "anything"])
+def shown(name: str) -> float:
+    """Share of the scenes of a kind that show an object in a small picture."""
+    return float(np.mean([(render(scene, VIEW).hit >= 0).any() for scene in samples(name)]))
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name not in ("anything", "near_and_far")])
 def test_most_scenes_of_a_kind_show_an_object_in_a_small_picture(name: str) -> None:
-    shown = [(render(scene, VIEW).hit >= 0).any() for scene in samples(name)]
-    assert np.mean(shown) > 0.75
+    assert shown(name) > 0.75
+
+
+def test_walls_at_the_limits_of_a_hit_lie_on_both_sides_of_them() -> None:
+    # What Hypothesis draws depends on the modules that are loaded too, so the share is no one number.
+    assert 0.3 < shown("near_and_far") < 1
 
 
 def test_all_kinds_together_show_more_than_sky() -> None:
