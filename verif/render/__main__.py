@@ -25,7 +25,7 @@ from verif.render.compare import Expected, Summary, expect, summarise, wrong_pix
 from verif.render.simulate import Drawn, SimulationError, simulate
 
 _GAIN = 32
-_DEFAULT_SCENE = "models/scenes/one_sphere.toml"
+_DEFAULT_SCENE = "models/scenes/three_spheres.toml"
 
 
 def _arguments() -> argparse.Namespace:
