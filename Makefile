@@ -10,7 +10,7 @@ BIN    := $(VENV)/bin
 # Nothing is written outside this folder, and no cache beside the sources.
 export PYTHONPYCACHEPREFIX := $(CURDIR)/build/pycache
 export HYPOTHESIS_STORAGE_DIRECTORY := $(CURDIR)/build/hypothesis
-unexport WAVES SIM SEED UNIT
+unexport WAVES SIM SEED UNIT COVERAGE
 
 UNITS  := $(patsubst verif/units/%/unit.py,%,$(wildcard verif/units/*/unit.py))
 JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
@@ -47,10 +47,11 @@ video: $(READY) ## films a moving camera through the RTL's screen: [SCENE=file |
 test: lint ## runs every test
 	@$(BIN)/python -m pytest -n $(JOBS)
 
-unit: $(READY) ## runs one unit's bench: UNIT=sqrt [SIM=icarus] [SET=narrow] [SEED=n] [WAVES=1] [EXAMPLES=n] [OPERANDS=n]
+unit: $(READY) ## runs one unit's bench: UNIT=sqrt [SIM=icarus] [SET=narrow] [SEED=n] [WAVES=1] [COVERAGE=1] [EXAMPLES=n] [OPERANDS=n]
 	@test -n "$(filter $(UNITS),$(UNIT))" || { echo "UNIT=$(UNIT) is no unit; one of: $(UNITS)" >&2; exit 2; }
 	@$(BIN)/python -m pytest verif/test_units.py --unit '$(UNIT)' $(call option,--sim,SIM) $(call option,--seed,SEED) \
-		$(call option,--set,SET) $(call option,--examples,EXAMPLES) $(call option,--operands,OPERANDS) $(if $(WAVES),--waves)
+		$(call option,--set,SET) $(call option,--examples,EXAMPLES) $(call option,--operands,OPERANDS) $(if $(WAVES),--waves) \
+		$(if $(COVERAGE),--code-coverage)
 
 lint: $(READY) ## checks Verilog, Python and types, all warnings on
 	@$(BIN)/ruff check --quiet

@@ -19,6 +19,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     group.addoption("--set", dest="parameter_set", help="only this parameter set")
     group.addoption("--seed", type=int, help="root of all randomness; default: 1 in CI, else the time")
     group.addoption("--waves", action="store_true", help="record all signals")
+    group.addoption("--code-coverage", action="store_true", help="count what is reached in the code")
     group.addoption("--examples", type=int, default=units.EXAMPLES, help="Hypothesis examples a property")
     group.addoption("--operands", type=int, help="length of a fast stream; default: as the simulator allows")
 

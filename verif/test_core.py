@@ -44,7 +44,13 @@ def test_core(case: Case, pytestconfig: pytest.Config) -> None:
     """The bench passes."""
     option = pytestconfig.option
     _need(case.design.simulator, pytestconfig)
-    outcome = simulate(case, seed=option.seed, examples=option.examples, waves=option.waves)
+    outcome = simulate(
+        case,
+        seed=option.seed,
+        examples=option.examples,
+        waves=option.waves,
+        coverage=option.code_coverage and case.design.simulator is Simulator.VERILATOR,
+    )
     if not outcome.passed:
         again = f"python -m pytest 'verif/test_core.py::test_core[{case}]' --seed {option.seed}"
         if option.examples != units.EXAMPLES:

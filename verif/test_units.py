@@ -81,6 +81,7 @@ def test_unit(case: Case, pytestconfig: pytest.Config) -> None:
         seed=option.seed,
         effort=units.Effort(option.examples, option.operands),
         waves=option.waves,
+        coverage=option.code_coverage and case.simulator is Simulator.VERILATOR,
     )
     if not outcome.passed:
         pytest.fail(f"{outcome.complaint()}\nrepeat with: {case.command(pytestconfig)}", pytrace=False)

@@ -111,10 +111,11 @@ def simulate(
     replacements: Mapping[Path, str] | None = None,
     run_name: str = "",
     shrink: bool = True,
+    coverage: bool = False,
 ) -> Outcome:
     """Builds the design where need be and runs the bench; see `verif.env.units.simulate`."""
     design = case.design
-    build = replace(design.made(waves), replacements=replacements or {})
+    build = replace(design.made(waves), replacements=replacements or {}, coverage=coverage)
     keeps = not units.in_ci() and not replacements
     return run(
         build,
@@ -123,6 +124,7 @@ def simulate(
         seed=case.seed(seed),
         settings={
             "parameters": dict(build.parameters),
+            "parameter_set": design.build,
             "examples": case.examples(examples),
             "database": str(CACHE / "hypothesis" / f"core-{case}") if keeps else None,
             "extra": {

@@ -20,6 +20,12 @@ CACHE = sources.ROOT / "build"
 
 _VERILATOR = ("--x-assign", "unique", "--x-initial", "unique", "-Wno-fatal")
 _TIMING = ("--timing", "-CFLAGS", "-std=gnu++20 -fcoroutines")
+# Wider signals, which are memories and not buses, are counted at their ports. More permutations than that in
+# an expression are not counted: they say nothing that the toggles of its operands do not.
+_COVERAGE = (
+    *("--coverage-line", "--coverage-toggle", "--coverage-expr"),
+    *("--coverage-max-width", "1024", "--coverage-expr-max", "64"),
+)
 _ICARUS = ("-Wall", "-Wno-timescale")
 
 
@@ -39,7 +45,8 @@ class Build:
     traces; harness: text of a generated top module, in place of a file of that name; control: text
     of a Verilator control file that names the signals that stay visible (all, without it);
     optimise: the C++ compiler's level; timing: the top has delays, as one that makes its clock;
-    label: what the folder is called, if not after the top.
+    label: what the folder is called, if not after the top; coverage: runs on Verilator count what they reach
+    in the code (`verif.coverage.code`).
     """
 
     top: str
@@ -53,6 +60,7 @@ class Build:
     timing: bool = False
     label: str = ""
     replacements: Mapping[Path, str] = field(default_factory=dict)
+    coverage: bool = False
 
     @property
     def files(self) -> tuple[Path, ...]:
@@ -88,6 +96,7 @@ class Build:
         settings += [self.harness, self.control, self.timing]
         settings += [sorted(self.parameters.items()), sorted(self.defines.items())]
         settings += [_VERILATOR, _TIMING, _ICARUS, str(sources.ROOT)]
+        settings += [_COVERAGE] if self.coverage else []
         digest.update(json.dumps(settings).encode())
         for path in (*self.files, *sources.headers()):
             digest.update(self.replacements.get(path, path.read_text()).encode())
@@ -118,7 +127,7 @@ def make_runner(build: Build) -> runner.Runner:
         return runner.Icarus()
     result = VerilatorRunner()
     settings = (version(build.simulator), build.waves, build.optimise, build.timing)
-    flags = f"{settings}|{_VERILATOR}|{_TIMING}|{sources.ROOT}"
+    flags = f"{settings}|{_VERILATOR}|{_TIMING}|{sources.ROOT}{'|coverage' if build.coverage else ''}"
     result.runtime = CACHE / "runtime" / hashlib.sha256(flags.encode()).hexdigest()[:16]
     result.make_variables = (f"OPT_FAST={build.optimise}", f"OPT_GLOBAL={build.optimise}")
     return result
@@ -129,7 +138,9 @@ def _compile(build: Build, log: Path) -> None:
     icarus = build.simulator is Simulator.ICARUS
     # Waves on Icarus come through a SystemVerilog dump module of cocotb's.
     icarus_arguments = (*_ICARUS, *(() if build.waves else ("-g2005",)))
-    verilator_arguments = (*_VERILATOR, *(_TIMING if build.timing else ()))
+    verilator_arguments = [*_VERILATOR]
+    verilator_arguments += _TIMING if build.timing else ()
+    verilator_arguments += _COVERAGE if build.coverage else ()
     arguments = icarus_arguments if icarus else verilator_arguments
     engine.build(
         sources=build.generate(),

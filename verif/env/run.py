@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from verif.env import sources
+from verif.env import corpus, sources
 from verif.env.build import CACHE, Build, ensure, make_runner
 from verif.env.simulators import Simulator
 
@@ -76,7 +76,7 @@ def run(
     directory = CACHE / "runs" / name
     shutil.rmtree(directory, ignore_errors=True)
     directory.mkdir(parents=True)
-    (directory / "settings.json").write_text(json.dumps(dict(settings)))
+    (directory / "settings.json").write_text(json.dumps({"corpus": str(corpus.folder(module)), **settings}))
     engine = make_runner(build)
     results = directory / "results.xml"
     exit_ok = True
@@ -102,7 +102,10 @@ def run(
 
 def _plusargs(build: Build, directory: Path, seed: int) -> list[str]:
     if build.simulator is Simulator.VERILATOR:
-        return ["+verilator+rand+reset+2", f"+verilator+seed+{seed % (1 << 31) or 1}"]
+        # Where coverage counts, all begins at 0: what a bit is compared with is a register too, and one that
+        # began at random would show a toggle that never was.
+        reset = 0 if build.coverage else 2
+        return [f"+verilator+rand+reset+{reset}", f"+verilator+seed+{seed % (1 << 31) or 1}"]
     return [f"+dumpfile_path={directory / 'dump.fst'}"] if build.waves else []
 
 

@@ -68,6 +68,7 @@ def build(
     *,
     waves: bool = False,
     replacements: Mapping[Path, str] | None = None,
+    coverage: bool = False,
 ) -> Build:
     """The build of a unit with complete parameters."""
     changed = replacements or {}
@@ -82,6 +83,7 @@ def build(
             control=harness.CONTROL,
             label=unit.name,
             replacements=changed,
+            coverage=coverage,
         )
     return Build(
         unit.module,
@@ -92,6 +94,7 @@ def build(
         control=harness.control(unit.module) if isinstance(unit, StreamUnit) else None,
         label=unit.name,
         replacements=changed,
+        coverage=coverage,
     )
 
 
@@ -106,8 +109,9 @@ def simulate(
     replacements: Mapping[Path, str] | None = None,
     run_name: str = "",
     shrink: bool = True,
+    coverage: bool = False,
 ) -> Outcome:
-    """Builds a unit where need be and runs its bench.
+    """Builds a unit where need be and runs its bench; coverage: of the code, see `verif.env.build.Build`.
 
     At a desk examples that failed come back from `build/hypothesis/<unit>`; in CI, and where the
     design is changed on purpose, the seed alone decides.
@@ -116,7 +120,7 @@ def simulate(
     parameters = unit.parameter_sets()[parameter_set]
     database = None if in_ci() or replacements else str(CACHE / "hypothesis" / name)
     return run(
-        build(unit, simulator, parameters, waves=waves, replacements=replacements),
+        build(unit, simulator, parameters, waves=waves, replacements=replacements, coverage=coverage),
         f"verif.units.{name}.bench",
         run_name or f"{name}-{simulator}-{parameter_set}",
         seed=seed,
