@@ -12,9 +12,11 @@ from cocotb.task import resume
 from hypothesis import strategies as st
 
 from models.fixed import Raw
-from verif.env import properties
+from verif.env import context, properties
 from verif.env.clocking import Clocking
 from verif.env.context import Context
+from verif.env.coverage.declared import coverage_of_name
+from verif.env.coverage.sampling import Signals, clock_number
 from verif.env.fields import Field, Operands, join, split
 from verif.env.pipelined import Mismatch
 
@@ -22,7 +24,8 @@ from verif.env.pipelined import Mismatch
 class Block:
     """A block under test.
 
-    Inputs hold until they are set again; reset lowers those in ``idle``. `now` counts clocks.
+    Inputs hold until they are set again; reset lowers those in ``idle``. `now` counts clocks. Each clock the
+    signals that the unit's `coverage.py` names are sampled.
     """
 
     def __init__(self, dut: Any, idle: Sequence[str]) -> None:
@@ -33,6 +36,8 @@ class Block:
         self._set: dict[str, int] = {}
         self.log = dut._log
         self.now = 0
+        run = context.read()
+        self.signals = Signals(dut, run, coverage_of_name(run.unit)) if run.unit else None
 
     def _port(self, name: str) -> Any:
         if name not in self._ports:
@@ -55,6 +60,13 @@ class Block:
         self.set(**inputs)
         await self.clocking.edge
         self.now += 1
+        if self.signals is not None:
+            self.signals.sample()
+
+    def covered(self, name: str) -> None:
+        """Tells that a bin, `point.bin`, has been hit: one that no signal shows."""
+        if self.signals is not None:
+            self.signals.collector.tell(name, clock_number())
 
     async def clocks(self, number: int) -> None:
         """Lets clocks pass."""
@@ -105,8 +117,4 @@ async def holds(
     """
     usual = replace(run, examples=max(1, run.examples // cost))
     step: Callable[..., Any] = resume(example)  # type: ignore[arg-type]
-
-    def body(drawn: tuple[Any, ...]) -> None:
-        step(*drawn)
-
-    await properties.check(usual, body, st.tuples(*strategies))
+    await properties.check(usual, step, *strategies)

@@ -17,8 +17,9 @@ class Context:
 
     parameters: the module's, complete; parameter_set: their name; seed: root of all randomness;
     examples: Hypothesis examples a property; operands: length of a fast stream; database: folder
-    of Hypothesis' example database, or None where the seed alone decides; extra: what only one
-    bench reads.
+    of Hypothesis' example database, or None where the seed alone decides; corpus: folder of examples to
+    replay first, see `verif.env.corpus`; extra: what only one bench reads; unit: whose cover points are
+    sampled, none where it is empty; known: bins that other runs have hit.
     """
 
     directory: Path
@@ -29,6 +30,9 @@ class Context:
     operands: int
     database: Path | None
     extra: Mapping[str, Any]
+    corpus: Path | None = None
+    unit: str = ""
+    known: tuple[str, ...] = ()
 
     def generator(self, *stream: int) -> np.random.Generator:
         """A generator of its own for one component; ``stream`` numbers the components of a bench."""
@@ -49,4 +53,7 @@ def read() -> Context:
         operands=settings.get("operands", 100_000),
         database=None if database is None else Path(database),
         extra=settings.get("extra", {}),
+        unit=settings.get("unit", ""),
+        known=tuple(settings.get("known", ())),
+        corpus=Path(settings["corpus"]) if "corpus" in settings else None,
     )

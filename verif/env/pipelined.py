@@ -11,9 +11,13 @@ from typing import Any
 
 import cocotb
 import numpy as np
-from cocotb.utils import get_sim_time
 
-from verif.env.clocking import PERIOD_NS, Clocking
+from verif.env import context
+from verif.env.clocking import Clocking
+from verif.env.coverage.collector import Collector
+from verif.env.coverage.declared import coverage_of
+from verif.env.coverage.flow import IDLE
+from verif.env.coverage.sampling import clock_number, collector
 from verif.env.fields import Field, Operands, count, describe, describe_all, join, split
 from verif.env.harness import framed
 from verif.env.unit import TAG_W, Parameters, PipelinedUnit
@@ -66,13 +70,11 @@ class Checker:
     unit: PipelinedUnit
     parameters: Parameters
 
-    def check(self, given: Trace, got: Trace) -> None:
-        """Raises Mismatch with the first operand that went wrong."""
+    def check(self, given: Trace, got: Trace) -> Operands:
+        """Operands and results together. Raises Mismatch with the first operand that went wrong."""
         latency = self.unit.latency(self.parameters)
         if len(given.clocks) != len(got.clocks):
             raise Mismatch(f"{len(given.clocks)} operands in, {len(got.clocks)} results out")
-        if not given.clocks:
-            return
         for start, end in zip(given.clocks, got.clocks, strict=True):
             if end - start != latency:
                 raise Mismatch(f"latency {end - start} clocks at clock {start}, promised {latency}")
@@ -92,11 +94,7 @@ class Checker:
                 lines += [f"  expected {describe(port, expected[port.name], index)}"]
                 lines += [f"  got      {describe(port, results[port.name], index)}"]
                 raise Mismatch("\n".join(lines))
-
-
-def _clock_number() -> int:
-    """Number of the clock that is under way, the same for all that wake at one edge."""
-    return int(get_sim_time("ns")) // PERIOD_NS
+        return {**operands, **results}
 
 
 class PipelinedBench:
@@ -113,6 +111,9 @@ class PipelinedBench:
         self._got = Monitor(dut.out)
         self._checker = Checker(unit, parameters)
         self._watched_from = 0
+        self._last = 0
+        run = context.read()
+        self.coverage: Collector | None = collector(run, coverage_of(unit)) if run.unit else None
 
     @classmethod
     async def create(cls, dut: Any, unit: PipelinedUnit, parameters: Parameters) -> "PipelinedBench":
@@ -128,7 +129,10 @@ class PipelinedBench:
         The monitors see again from the second clock on: what was in flight must be gone by then.
         """
         self._port.value = 0
-        self._watched_from = _clock_number() + 2
+        if self.coverage is not None:
+            busy = len(self._given.trace.clocks) > len(self._got.trace.clocks)
+            self.coverage.tell("reset.busy" if busy else "reset.idle", clock_number())
+        self._watched_from = clock_number() + 2
         self._given.trace.clear()
         self._got.trace.clear()
         await self.clocking.reset()
@@ -136,7 +140,7 @@ class PipelinedBench:
     async def _watch(self) -> None:
         edge = self.clocking.edge
         await edge  # still under reset
-        clock = _clock_number()
+        clock = clock_number()
         while True:
             await edge
             clock += 1
@@ -168,11 +172,19 @@ class PipelinedBench:
 
     def compare(self) -> int:
         """Checks everything seen since the last call; the number of operands that was."""
-        self._checker.check(self._given.trace, self._got.trace)
+        samples = self._checker.check(self._given.trace, self._got.trace)
         checked = len(self._given.trace.clocks)
+        if checked:
+            self._cover(samples)
         self._given.trace.clear()
         self._got.trace.clear()
         return checked
+
+    def _cover(self, samples: Operands) -> None:
+        if self.coverage is not None:
+            waited = np.diff(self._given.trace.clocks, prepend=self._last or self._given.trace.clocks[0]) - 1
+            self.coverage.add({**samples, IDLE: waited}, clock_number())
+        self._last = self._given.trace.clocks[-1]
 
     async def answers(self, operands: Operands) -> tuple[Operands, Operands]:
         """Operands and results as the monitors saw them, in order, not yet compared."""
@@ -182,6 +194,7 @@ class PipelinedBench:
         got = self._got.trace.operands(self.unit.outputs(self.parameters))
         if count(given) != count(got):
             raise Mismatch(f"{count(given)} operands in, {count(got)} results out")
+        self._cover({**given, **got})
         self._given.trace.clear()
         self._got.trace.clear()
         return given, got

@@ -7,7 +7,14 @@ extras; the latency of each result is checked against the promise.
 from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
+
+from verif.env import context
 from verif.env.clocking import Clocking
+from verif.env.coverage.collector import Collector
+from verif.env.coverage.declared import coverage_of
+from verif.env.coverage.flow import IDLE, STALL
+from verif.env.coverage.sampling import clock_number, collector
 from verif.env.fields import Operands, count
 from verif.env.pipelined import Mismatch
 from verif.env.scoreboard import Scoreboard
@@ -31,6 +38,8 @@ class StreamBench:
         self._in.listeners.append(self._accepted)
         self.scoreboard = Scoreboard(self.got.fields, self.given.fields)
         self._out.listeners.append(self.scoreboard.receive)
+        run = context.read()
+        self.coverage: Collector | None = collector(run, coverage_of(unit)) if run.unit else None
 
     @classmethod
     async def create(cls, dut: Any, unit: StreamUnit, parameters: Parameters) -> "StreamBench":
@@ -47,6 +56,9 @@ class StreamBench:
     async def reset(self) -> None:
         """Resets the unit; all agents forget what was in flight and start again after it."""
         agents = (self._source, self._sink, self._in, self._out)
+        if self.coverage is not None:
+            busy = self.scoreboard.outstanding > 0
+            self.coverage.tell("reset.busy" if busy else "reset.idle", clock_number())
         for agent in agents:
             agent.stop()
             agent.clear()
@@ -89,4 +101,16 @@ class StreamBench:
         for accepted, offered in zip(given.taken, got.offered, strict=True):
             if offered - accepted != latency:
                 raise Mismatch(f"latency {offered - accepted} clocks at clock {accepted}, promised {latency}")
+        self._cover(given, got)
         return given, got
+
+    def _cover(self, given: Transfers, got: Transfers) -> None:
+        if self.coverage is None or not given.words:
+            return
+        operands, results = self.given.operands(given.words), self.got.operands(got.words)
+        rate = self.unit.rate(self.parameters)
+        accepted, taken = np.array(given.taken), np.array(got.taken)
+        # The unit takes the next operand a rate after the one before, or when its result is taken.
+        ready = np.maximum(accepted[:-1] + rate, taken[:-1])
+        waits = {IDLE: np.concatenate([[-1], accepted[1:] - ready]), STALL: taken - np.array(got.offered)}
+        self.coverage.add({**operands, **results, **waits}, clock_number())

@@ -1,0 +1,1 @@
+"""Functional coverage: what is declared, sampled and kept. Closing it and code coverage: `verif.coverage`."""

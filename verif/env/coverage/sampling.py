@@ -1,0 +1,80 @@
+"""Coverage inside the simulator: a collector for each test, whose counts are kept when the test ends."""
+
+from collections.abc import Callable
+from typing import Any
+
+import cocotb
+import cocotb.task
+import numpy as np
+from cocotb.triggers import Event
+from cocotb.utils import get_sim_time
+
+from verif.env.clocking import PERIOD_NS
+from verif.env.context import Context
+from verif.env.coverage.collector import Collector
+from verif.env.coverage.points import Coverage
+
+_UNKNOWN = -1
+
+
+def clock_number() -> int:
+    """Number of the clock that is under way."""
+    return int(get_sim_time("ns")) // PERIOD_NS
+
+
+def collector(run: Context, coverage: Coverage, last: Callable[[], None] = lambda: None) -> Collector:
+    """A collector that writes its record into the run's folder when the test ends, however it ends.
+
+    last: called before that, for samples that are still somewhere else.
+    """
+    made = Collector(coverage, run.parameters, run.known)
+    test = cocotb.task.current_task().get_name().removeprefix("Test ")
+    cocotb.start_soon(_until_the_end(made, run, test, last))
+    return made
+
+
+async def _until_the_end(made: Collector, run: Context, test: str, last: Callable[[], None]) -> None:
+    try:
+        await Event().wait()
+    finally:  # cocotb cancels all tasks of a test when it ends
+        last()
+        made.flush(clock_number())
+        made.record(run.unit, run.parameter_set, test).write(run.directory)
+
+
+class Signals:
+    """Reads signals of a design by their names below the top, once a clock, and passes them on in bulk."""
+
+    _ENOUGH = 1024
+
+    def __init__(self, dut: Any, run: Context, coverage: Coverage) -> None:
+        self._handles = [_find(dut, name) for name in coverage.signals]
+        self._names = coverage.signals
+        self._rows: list[list[int]] = []
+        self.collector = collector(run, coverage, self._pass_on)
+
+    def sample(self) -> None:
+        """To be called once a clock, where outputs have settled."""
+        self._rows.append([_number(handle) for handle in self._handles])
+        if len(self._rows) >= self._ENOUGH:
+            self._pass_on()
+
+    def _pass_on(self) -> None:
+        if self._rows:
+            table = np.array(self._rows, dtype=np.int64).T
+            self._rows = []
+            self.collector.add(dict(zip(self._names, table, strict=True)), clock_number())
+
+
+def _find(dut: Any, name: str) -> Any:
+    handle = dut
+    for part in name.split("."):
+        handle = getattr(handle, part)
+    return handle
+
+
+def _number(handle: Any) -> int:
+    try:
+        return int(handle.value)
+    except ValueError:  # an unknown bit
+        return _UNKNOWN
