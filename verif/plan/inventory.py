@@ -1,0 +1,70 @@
+"""What there is to be promised: tests and cover points, found without running any, and units."""
+
+import ast
+import importlib
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from verif.env import units
+from verif.env.sources import ROOT
+from verif.plan.records import NamedTest
+
+_BENCH_MARKS = ("cocotb.test", "standard_tests(", "standard_stream_tests(")
+"""What the text of every module with cocotb tests holds one of."""
+
+
+@dataclass(frozen=True)
+class Inventory:
+    """tests: all there are. bins: of each cover point, by `<folder>.<point>`, the names of its bins. units: folders
+    that need a plan, from the project's root.
+    """
+
+    tests: frozenset[NamedTest]
+    bins: Mapping[str, tuple[str, ...]]
+    units: tuple[Path, ...]
+
+
+def _module(file: Path) -> str:
+    return ".".join(file.with_suffix("").parts)
+
+
+def cocotb_tests(root: Path = ROOT) -> Iterator[NamedTest]:
+    """Those of every bench. Benches make tests at import, so they are imported; that needs no simulator."""
+    for path in sorted((root / "verif").rglob("*.py")):
+        if path.name.startswith("test_") or not any(mark in path.read_text() for mark in _BENCH_MARKS):
+            continue
+        module = _module(path.relative_to(root))
+        for found in vars(importlib.import_module(module)).values():
+            # What `cocotb.test()` leaves in a module: it has no public class to ask for.
+            if hasattr(found, "generate_tests") and found.module == module:
+                yield NamedTest(module, found.name)
+
+
+def pytest_tests(root: Path = ROOT) -> Iterator[NamedTest]:
+    """Functions that pytest collects. Parsed, not imported."""
+    settings = tomllib.loads((root / "pyproject.toml").read_text())["tool"]["pytest"]["ini_options"]
+    for folder in settings["testpaths"]:
+        for path in sorted((root / folder).rglob("test_*.py")):
+            file = path.relative_to(root).as_posix()
+            for node in ast.parse(path.read_text()).body:
+                if isinstance(node, ast.FunctionDef) and node.name.startswith("test_"):
+                    yield NamedTest(file, node.name)
+
+
+def cover_points(root: Path = ROOT) -> Iterator[tuple[str, tuple[str, ...]]]:
+    """Each point of each `coverage.py` that declares some, with its bins."""
+    for path in sorted((root / "verif").glob("*/coverage.py")) + sorted(
+        (root / "verif").glob("*/*/coverage.py")
+    ):
+        module = importlib.import_module(_module(path.relative_to(root)))
+        declared = getattr(module, "COVERAGE", None)
+        for point in declared.points if declared else ():
+            yield f"{path.parent.name}.{point.name}", tuple(found.name for found in point.bins)
+
+
+def inventory() -> Inventory:
+    """The project's own."""
+    folders = tuple((units.UNITS / name).relative_to(ROOT) for name in units.names())
+    return Inventory(frozenset([*cocotb_tests(), *pytest_tests()]), dict(cover_points()), folders)
