@@ -57,7 +57,7 @@ def _ids(plans: Sequence[Plan], specification: Specification) -> Iterator[Findin
 
 def _promises(plans: Sequence[Plan], specification: Specification, there: Inventory) -> Iterator[Finding]:
     rules = {rule.id for rule in specification.rules}
-    points = there.bins.keys() | set(_bins(there))
+    points = {point.name for point in there.points} | {name for point in there.points for name in point.full}
     for plan, promise in _all(plans):
         file, entry = str(plan.file), promise.id
         if not promise.tests:
@@ -77,10 +77,6 @@ def _promises(plans: Sequence[Plan], specification: Specification, there: Invent
                 yield Finding(file, entry, f"{rule} is no rule or fault", remedy)
 
 
-def _bins(there: Inventory) -> Iterator[str]:
-    return (f"{point}.{name}" for point, names in there.bins.items() for name in names)
-
-
 def _tests_without_a_promise(plans: Sequence[Plan], there: Inventory) -> Iterator[Finding]:
     promised = {test for _, promise in _all(plans) for test in promise.tests}
     for test in sorted(there.tests - promised):
@@ -90,13 +86,13 @@ def _tests_without_a_promise(plans: Sequence[Plan], there: Inventory) -> Iterato
 
 def _points_without_a_promise(plans: Sequence[Plan], there: Inventory) -> Iterator[Finding]:
     promised = {name for _, promise in _all(plans) for name in promise.covers}
-    for point, names in there.bins.items():
-        left = [] if point in promised else [name for name in names if f"{point}.{name}" not in promised]
+    for point in there.points:
+        left = [] if point.name in promised else [name for name in point.full if name not in promised]
         if left:
             what = "no promise needs this cover point"
-            if len(left) < len(names):
+            if len(left) < len(point.bins):
                 what = f"no promise needs these bins of it: {', '.join(left)}"
-            yield Finding("coverage.py", point, what, f"name it in the `covers` of a promise in a {PLAN}")
+            yield Finding(point.file, point.name, what, f"name it in the `covers` of a promise in a {PLAN}")
 
 
 def _rules_without_a_promise(plans: Sequence[Plan], specification: Specification) -> Iterator[Finding]:

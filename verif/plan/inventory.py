@@ -3,7 +3,7 @@
 import ast
 import importlib
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,13 +16,25 @@ _BENCH_MARKS = ("cocotb.test", "standard_tests(", "standard_stream_tests(")
 
 
 @dataclass(frozen=True)
+class CoverPoint:
+    """A functional cover point. name: `<folder>.<point>`. file: that declares it. bins: their short names."""
+
+    name: str
+    file: str
+    bins: tuple[str, ...]
+
+    @property
+    def full(self) -> tuple[str, ...]:
+        """The bins' full names."""
+        return tuple(f"{self.name}.{found}" for found in self.bins)
+
+
+@dataclass(frozen=True)
 class Inventory:
-    """tests: all there are. bins: of each cover point, by `<folder>.<point>`, the names of its bins. units: folders
-    that need a plan, from the project's root.
-    """
+    """All tests and cover points there are, and the folders of units, from the project's root."""
 
     tests: frozenset[NamedTest]
-    bins: Mapping[str, tuple[str, ...]]
+    points: tuple[CoverPoint, ...]
     units: tuple[Path, ...]
 
 
@@ -53,18 +65,17 @@ def pytest_tests(root: Path = ROOT) -> Iterator[NamedTest]:
                     yield NamedTest(file, node.name)
 
 
-def cover_points(root: Path = ROOT) -> Iterator[tuple[str, tuple[str, ...]]]:
-    """Each point of each `coverage.py` that declares some, with its bins."""
-    for path in sorted((root / "verif").glob("*/coverage.py")) + sorted(
-        (root / "verif").glob("*/*/coverage.py")
-    ):
-        module = importlib.import_module(_module(path.relative_to(root)))
-        declared = getattr(module, "COVERAGE", None)
+def cover_points(root: Path = ROOT) -> Iterator[CoverPoint]:
+    """Each point of each `coverage.py` that declares some."""
+    for path in sorted((root / "verif").rglob("coverage.py")):
+        file = path.relative_to(root)
+        declared = getattr(importlib.import_module(_module(file)), "COVERAGE", None)
         for point in declared.points if declared else ():
-            yield f"{path.parent.name}.{point.name}", tuple(found.name for found in point.bins)
+            bins = tuple(found.name for found in point.bins)
+            yield CoverPoint(f"{path.parent.name}.{point.name}", file.as_posix(), bins)
 
 
 def inventory() -> Inventory:
     """The project's own."""
     folders = tuple((units.UNITS / name).relative_to(ROOT) for name in units.names())
-    return Inventory(frozenset([*cocotb_tests(), *pytest_tests()]), dict(cover_points()), folders)
+    return Inventory(frozenset([*cocotb_tests(), *pytest_tests()]), tuple(cover_points()), folders)

@@ -53,7 +53,7 @@ def _texts(place: str, table: Mapping[str, Any], name: str) -> tuple[str, ...]:
 def named_test(entry: str, folder: Path) -> NamedTest:
     """The test that an entry means in the plan of a folder.
 
-    `name` is one of its `bench.py`, `module::name` of another bench in it, `path/test_file.py::name` of pytest.
+    `name` is one of its `bench.py`, `module::name` one of another bench, `path/test_file.py::name` of pytest.
     """
     where, _, name = entry.rpartition("::")
     if where.endswith(".py"):
