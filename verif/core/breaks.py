@@ -84,7 +84,12 @@ class _Core:
         return BREAKS
 
     def run(
-        self, change: Break, replacements: Mapping[Path, str], run_name: str, simulator: Simulator
+        self,
+        change: Break,
+        replacements: Mapping[Path, str],
+        run_name: str,
+        simulator: Simulator,
+        shrink: bool,
     ) -> Outcome:
         case = RUNS[change.set]
         return cases.simulate(
@@ -93,7 +98,7 @@ class _Core:
             examples=_EXAMPLES,
             replacements=replacements,
             run_name=run_name,
-            shrink=False,
+            shrink=shrink,
         )
 
 
