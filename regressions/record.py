@@ -1,7 +1,7 @@
 """The record of one regression: all that its reports are drawn from.
 
-One frozen data model. Paths are relative to the project's root, so that a record made on one machine reads the
-same on another. What a section has not measured is an empty tuple, never a made-up number.
+One frozen data model. Paths are relative to the project's root, so that a record made on one machine reads
+the same on another. What a section has not measured is an empty tuple, never a made-up number.
 """
 
 import json
@@ -45,13 +45,14 @@ class Check:
 
 @dataclass(frozen=True)
 class Result:
-    """One run: one test with one seed.
+    """One run: one test with one seed. Planned runs are results too, that have not run.
 
     id: unique in the regression and a folder's name. entry: of the list. kind: `unit`, `core`, `pytest` or
-    `command`. test: what the run is of, without the seed, as `sqrt-narrow-verilator`. index: number of the
-    seed among those of the test. unit, simulator, parameter_set, build: empty where there is none. command:
-    shows the run again in a fresh clone. folder: all that the run wrote. waves: recorded signals of a
-    repetition, where one was made.
+    `module`. test: what the run is of, without the seed, as `sqrt-narrow-verilator`. index: number of the
+    seed among those of the test. arguments: of Python, which start it. command: shows the run again in a
+    fresh clone. folder: all that the run wrote. unit, simulator, parameter_set, build: empty where there is
+    none. wall_limit, simulated_limit: seconds and simulated nanoseconds, 0 for none. waves: recorded signals
+    of a repetition, where one was made.
     """
 
     id: str
@@ -64,6 +65,9 @@ class Result:
     seconds: float
     command: str
     folder: str
+    arguments: tuple[str, ...] = ()
+    wall_limit: float = 0.0
+    simulated_limit: float = 0.0
     simulated_ns: float = 0.0
     message: str = ""
     unit: str = ""
@@ -172,7 +176,7 @@ class Mutant:
 
 @dataclass(frozen=True)
 class Mutation:
-    """Qualification of a unit's bench by mutants: counts, and each one that is neither killed nor equivalent."""
+    """Qualification of a unit's bench by mutants: counts, and each that is neither killed nor equivalent."""
 
     unit: str
     mutants: int
