@@ -6,12 +6,13 @@ import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 
 from verif.env import units
 from verif.env.sources import ROOT
-from verif.plan.records import NamedTest
+from verif.plan.records import NamedTest, PlanError
 
-_BENCH_MARKS = ("cocotb.test", "standard_tests(", "standard_stream_tests(")
+_BENCH_MARKS = ("\n@cocotb.test(", "standard_tests(", "standard_stream_tests(")
 """What the text of every module with cocotb tests holds one of."""
 
 
@@ -38,8 +39,12 @@ class Inventory:
     units: tuple[Path, ...]
 
 
-def _module(file: Path) -> str:
-    return ".".join(file.with_suffix("").parts)
+def _imported(file: Path) -> ModuleType:
+    """A module by its file from the project's root. Raises PlanError."""
+    try:
+        return importlib.import_module(".".join(file.with_suffix("").parts))
+    except Exception as error:
+        raise PlanError(f"{file}: cannot be imported: {error!r}; correct the module") from error
 
 
 def cocotb_tests(root: Path = ROOT) -> Iterator[NamedTest]:
@@ -47,11 +52,11 @@ def cocotb_tests(root: Path = ROOT) -> Iterator[NamedTest]:
     for path in sorted((root / "verif").rglob("*.py")):
         if path.name.startswith("test_") or not any(mark in path.read_text() for mark in _BENCH_MARKS):
             continue
-        module = _module(path.relative_to(root))
-        for found in vars(importlib.import_module(module)).values():
-            # What `cocotb.test()` leaves in a module: it has no public class to ask for.
-            if hasattr(found, "generate_tests") and found.module == module:
-                yield NamedTest(module, found.name)
+        module = _imported(path.relative_to(root))
+        for found in vars(module).values():
+            # What `cocotb.test()` leaves in a module.
+            if hasattr(found, "generate_tests") and found.module == module.__name__:
+                yield NamedTest(found.module, found.name)
 
 
 def pytest_tests(root: Path = ROOT) -> Iterator[NamedTest]:
@@ -69,7 +74,7 @@ def cover_points(root: Path = ROOT) -> Iterator[CoverPoint]:
     """Each point of each `coverage.py` that declares some."""
     for path in sorted((root / "verif").rglob("coverage.py")):
         file = path.relative_to(root)
-        declared = getattr(importlib.import_module(_module(file)), "COVERAGE", None)
+        declared = getattr(_imported(file), "COVERAGE", None)
         for point in declared.points if declared else ():
             bins = tuple(found.name for found in point.bins)
             yield CoverPoint(f"{path.parent.name}.{point.name}", file.as_posix(), bins)

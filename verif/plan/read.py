@@ -40,7 +40,7 @@ def _text(place: str, table: Mapping[str, Any], name: str) -> str:
     value = table.get(name)
     if not isinstance(value, str) or not value.strip():
         raise PlanError(f"{place}: {name}: is missing or no text; write it in quotes")
-    return value.strip()
+    return " ".join(value.split())
 
 
 def _texts(place: str, table: Mapping[str, Any], name: str) -> tuple[str, ...]:
