@@ -1,0 +1,1 @@
+"""Code coverage: what Verilator counted in the design, merged, less reviewed exclusions, and its exports."""
