@@ -19,6 +19,7 @@ RUNS: Mapping[str, Case] = MappingProxyType(
         "pictures": Case("pictures", ONE, share=0.2, scenes=200),
         "frames": Case("frames", ONE, share=0.3),
         "faults": Case("faults", ONE, share=0.3),
+        "corrupt": Case("corrupt", ONE),
         "rooms": Case("rooms", ONE, share=0.3),
         "streams": Case("streams", ONE, share=0.3),
         "many units": Case("pictures", THREE, share=0.2, scenes=100),
@@ -67,6 +68,19 @@ BREAKS = (
         "assign in_ready  = grant & {PORTS{free}};",
         "assign in_ready  = in_valid;",
         "many units",
+    ),
+    # Frames: a sphere's kind is not looked at; a frame that ends in its last fields is waited for.
+    Break(
+        "scene/loader.v",
+        "if (field[0] != (section_reg == S_TRIANGLE))",
+        "if (!field[0] && section_reg == S_TRIANGLE)",
+        "corrupt",
+    ),
+    Break(
+        "scene/loader.v",
+        "starved = reading && lacking;",
+        "starved = reading && lacking && section_reg != S_TAIL;",
+        "corrupt",
     ),
     # Pixels: present where they are not; a reset that leaves one behind.
     Break("pixel/pixel_queue.v", "if (rst) present_reg <=", "if (1'b0) present_reg <=", "faults"),

@@ -82,6 +82,7 @@ CASES = (
     Case("pictures", DEFAULT, scenes=1000),
     Case("frames", DEFAULT),
     Case("faults", DEFAULT),
+    Case("corrupt", DEFAULT),
     Case("rooms", DEFAULT, share=0.5),
     Case("rate", DEFAULT),
     Case("streams", STEPPED),
