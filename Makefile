@@ -19,7 +19,7 @@ JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 option = $(if $($(2)),$(1) '$($(2))')
 
 .DEFAULT_GOAL := help
-.PHONY: help setup render video test unit lint format bench book synth weigh breaks header requirements clean
+.PHONY: help setup render video test unit lint format bench book synth weigh close breaks header requirements clean
 
 help: ## lists the commands
 	@echo "Commands (make <command> [NAME=value ...]):"
@@ -74,6 +74,9 @@ synth: $(READY) ## synthesises for an ECP5 with yosys and counts what it takes: 
 
 weigh: $(READY) ## counts the tests that the scenes need, by kind, for the choice of trace units
 	@$(BIN)/python -m models.weigh
+
+close: $(READY) ## closes functional coverage, and compares with random: [UNIT=sqrt] [SECONDS=120] [SEED=n]
+	@$(BIN)/python -m verif.coverage $(UNIT) $(call option,--seconds,SECONDS) $(call option,--seed,SEED) --jobs $(JOBS)
 
 breaks: $(READY) ## breaks the Verilog a line at a time and shows that the benches notice: [UNIT=sqrt] [SIM=icarus]
 	@$(BIN)/python -m verif.env.breaks $(UNIT) $(call option,--sim,SIM)

@@ -58,9 +58,19 @@ def stream(generator: np.random.Generator, fields: Sequence[Field], size: int) -
     return {field.name: _lanes(generator, field, size) for field in fields}
 
 
-def _lanes(generator: np.random.Generator, field: Field, size: int) -> Raw:
+def uniform(generator: np.random.Generator, fields: Sequence[Field], size: int) -> Operands:
+    """``size`` operands, each lane uniform: what is drawn by who looks for nothing."""
+    return {field.name: _uniform(generator, field, size) for field in fields}
+
+
+def _uniform(generator: np.random.Generator, field: Field, size: int) -> Raw:
     shape = (field.lanes, size) if field.lanes > 1 else (size,)
-    uniform = generator.integers(field.low, field.high, shape, dtype=np.int64, endpoint=True)
+    return generator.integers(field.low, field.high, shape, dtype=np.int64, endpoint=True)
+
+
+def _lanes(generator: np.random.Generator, field: Field, size: int) -> Raw:
+    uniform = _uniform(generator, field, size)
+    shape = uniform.shape
     corner = generator.choice(np.array(corners(field), dtype=np.int64), shape)
     power = generator.choice(np.array(powers(field), dtype=np.int64), shape)
     small = uniform >> generator.integers(0, field.width, shape)

@@ -110,8 +110,10 @@ def simulate(
     run_name: str = "",
     shrink: bool = True,
     coverage: bool = False,
+    functional: bool = True,
 ) -> Outcome:
-    """Builds a unit where need be and runs its bench; coverage: of the code, see `verif.env.build.Build`.
+    """Builds a unit where need be and runs its bench; coverage: of the code, see `verif.env.build.Build`;
+    functional: its cover points are sampled, unless the design is changed on purpose.
 
     At a desk examples that failed come back from `build/hypothesis/<unit>`; in CI, and where the
     design is changed on purpose, the seed alone decides.
@@ -131,6 +133,7 @@ def simulate(
             "operands": effort.operands_of(unit, simulator, parameter_set),
             "database": database,
             "extra": {} if shrink else {"shrink": False},
+            "unit": name if functional and not replacements else "",
         },
     )
 

@@ -19,7 +19,7 @@ _ENOUGH = 8192
 class Collector:
     """Hits of one unit's bins, and how they grew over the clocks.
 
-    known: bins that other runs have hit, so that nobody goes after them again.
+    known: bins that other runs have hit; they count as hit in the curve, and nobody goes after them again.
     """
 
     def __init__(self, coverage: Coverage, parameters: Parameters, known: Iterable[str] = ()) -> None:
@@ -54,7 +54,7 @@ class Collector:
         self._note(clock)
 
     def _note(self, clock: int) -> None:
-        reached = sum(bool(hits) for hits in self.hits.values())
+        reached = sum(bool(hits) or name in self._known for name, hits in self.hits.items())
         if not self.curve or self.curve[-1][1] != reached:
             self.curve.append((clock, reached))
 
@@ -66,6 +66,6 @@ class Collector:
             if not self.hits[name] and name not in self._known
         }
 
-    def record(self, unit: str, parameter_set: str, test: str) -> Record:
-        """What was counted; `flush` first."""
-        return Record(unit, parameter_set, test, dict(self.hits), tuple(self.curve))
+    def record(self, unit: str, parameter_set: str, test: str, clocks: int) -> Record:
+        """What was counted in so many clocks; `flush` first."""
+        return Record(unit, parameter_set, test, dict(self.hits), tuple(self.curve), clocks)

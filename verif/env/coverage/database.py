@@ -15,13 +15,16 @@ FOLDER = "coverage"
 
 @dataclass(frozen=True)
 class Record:
-    """hits: times each bin was hit, by `point.bin`. curve: (clock, bins hit so far), where that changed."""
+    """hits: times each bin was hit, by `point.bin`. curve: (clock, bins hit so far), where that changed.
+    clocks: how long the test ran.
+    """
 
     unit: str
     parameter_set: str
     test: str
     hits: Mapping[str, int]
     curve: tuple[tuple[int, int], ...] = ()
+    clocks: int = 0
 
     def write(self, run_directory: Path) -> Path:
         """The file, in the run's folder."""

@@ -27,19 +27,22 @@ def collector(run: Context, coverage: Coverage, last: Callable[[], None] = lambd
 
     last: called before that, for samples that are still somewhere else.
     """
-    made = Collector(coverage, run.parameters, run.known)
+    made, start = Collector(coverage, run.parameters, run.known), clock_number()
     test = cocotb.task.current_task().get_name().removeprefix("Test ")
-    cocotb.start_soon(_until_the_end(made, run, test, last))
+    cocotb.start_soon(_until_the_end(made, run, test, start, last))
     return made
 
 
-async def _until_the_end(made: Collector, run: Context, test: str, last: Callable[[], None]) -> None:
+async def _until_the_end(
+    made: Collector, run: Context, test: str, start: int, last: Callable[[], None]
+) -> None:
     try:
         await Event().wait()
     finally:  # cocotb cancels all tasks of a test when it ends
         last()
-        made.flush(clock_number())
-        made.record(run.unit, run.parameter_set, test).write(run.directory)
+        end = clock_number()
+        made.flush(end)
+        made.record(run.unit, run.parameter_set, test, end - start).write(run.directory)
 
 
 class Signals:

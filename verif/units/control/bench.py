@@ -254,7 +254,8 @@ class ControlBench(Block):
         same("busy at rest", 0, self.read("busy"))
 
 
-def _jobs() -> st.SearchStrategy[list[Job]]:
+def job_lists() -> st.SearchStrategy[list[Job]]:
+    """One to six frames, a third of them with a fault."""
     clocks = st.integers(1, 12)
     good = st.just(Fault.NONE)
     job = st.builds(
@@ -271,7 +272,7 @@ def _jobs() -> st.SearchStrategy[list[Job]]:
     return st.lists(job, min_size=1, max_size=6)
 
 
-def _going() -> st.SearchStrategy[Going]:
+def goings() -> st.SearchStrategy[Going]:
     """Clocks of `go`, which is high in one of them at least."""
     clocks = st.lists(st.booleans(), max_size=12)
     return st.just((True,)) | st.builds(lambda drawn: (*drawn, True), clocks)
@@ -290,7 +291,7 @@ async def every_frame_ends_in_done_or_error_in_the_right_order(dut: Any) -> None
         await bench.restart(jobs, going)
         await bench.run(jobs)
 
-    await holds(context.read(), example, _jobs(), _going())
+    await holds(context.read(), example, job_lists(), goings())
 
 
 @cocotb.test()
@@ -310,7 +311,7 @@ async def reset_at_any_moment_forgets_every_frame(dut: Any) -> None:
         await bench.run(after)
 
     quiet = st.integers(0, 8)
-    await holds(context.read(), example, _jobs(), st.integers(0, 80), quiet, _jobs(), _going())
+    await holds(context.read(), example, job_lists(), st.integers(0, 80), quiet, job_lists(), goings())
 
 
 @cocotb.test()
