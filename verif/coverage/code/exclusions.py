@@ -1,6 +1,6 @@
 """What code coverage leaves out, and why: read from TOML, held to the text of the design and to what was hit.
 
-    [[exclusion]]
+    [[exclude]]
     file = "hdl/arith/sqrt_step.v"      # or a pattern, as hdl/**/*.v
     code = "operand ="                  # is on the line that is meant, so that edits above it change nothing
     types = ["toggle"]                  # line, branch, expr, toggle
@@ -123,7 +123,7 @@ def _bits(text: str) -> tuple[int, int]:
 
 
 def _entry(path: Path, number: int, entry: Mapping[str, Any]) -> Exclusion:
-    where = f"{path}, exclusion {number} ({entry.get('file', '?')})"
+    where = f"{path}, entry {number} ({entry.get('file', '?')})"
     for name in _REQUIRED:
         if not entry.get(name):
             raise ExclusionError(f"{where}: has no {name}; write one")
@@ -149,14 +149,15 @@ def _entry(path: Path, number: int, entry: Mapping[str, Any]) -> Exclusion:
     return Exclusion(**texts, kinds=kinds, review=entry["review"], bits=bits, **more)
 
 
-def read(path: Path = FILE) -> tuple[Exclusion, ...]:
-    """The entries of a file, in its order. Raises ExclusionError where one is wrong."""
+def read(path: Path | None = None) -> tuple[Exclusion, ...]:
+    """The entries of a file, the project's without one. Raises ExclusionError where one is wrong."""
+    file = path or FILE
     try:
-        found = tomllib.loads(path.read_text())
+        found = tomllib.loads(file.read_text())
     except (OSError, tomllib.TOMLDecodeError) as error:
-        raise ExclusionError(f"{path}: cannot be read: {error}") from error
-    entries: Sequence[Mapping[str, Any]] = found.get("exclusion", [])
-    return tuple(_entry(path, number, entry) for number, entry in enumerate(entries, 1))
+        raise ExclusionError(f"{file}: cannot be read: {error}") from error
+    entries: Sequence[Mapping[str, Any]] = found.get("exclude", [])
+    return tuple(_entry(file, number, entry) for number, entry in enumerate(entries, 1))
 
 
 def _contradicted(exclusion: Exclusion, matched: Mapping[Point, Hits]) -> str | None:
