@@ -103,7 +103,15 @@ class Event:
 
 
 Watch = Callable[[str, int, tuple[Raw, ...]], None]
-"""Hears of each kind of event with its depth and the values of all rays of a level, (k, n) or (n,) each."""
+"""Hears of each kind of event with its depth and the values of all rays of a level, (k, n) or (n,) each.
+
+Beside the kinds of `Event`: reflected and transmitted: weight of the ray that is cast if that is not
+negligible; refracted: whether all is reflected, whether the ray leaves; shadow: colour, what is left of it,
+objects on the way; unlit: whether the light is at the hit point, of hits that a light adds nothing to.
+"""
+
+_OF_PIXELS = frozenset({"hit", "miss", "child", "local", "light", "left", "pixel"})
+"""Kinds that are events of a pixel."""
 
 
 def _unwatched(_kind: str, _depth: int, _values: tuple[Raw, ...]) -> None:
@@ -191,9 +199,10 @@ class _Tracer:
         if depth == self.registers.depth:
             return []
         refracted = refract(rays.direction, normal, mirrored, cosine, objects.index[number], leaving, fmts)
+        self.watch("refracted", depth, (refracted.total.astype(np.int64), hit.leaving))
         return [
-            *self._child(here, mirrored, objects.reflection[:, number], depth),
-            *self._child(here, refracted.transmitted, objects.transparency[:, number], depth),
+            *self._child("reflected", here, mirrored, objects.reflection[:, number], depth),
+            *self._child("transmitted", here, refracted.transmitted, objects.transparency[:, number], depth),
         ]
 
     def _light(self, light: Light, here: _Rays, number: Raw, normal: Raw, mirrored: Raw) -> None:
@@ -213,10 +222,11 @@ class _Tracer:
         )
         colour = self._weighted(shown, here.weight)
         lit = np.flatnonzero(colour.any(axis=0))
+        self.watch("unlit", 0, (way.degenerate.astype(np.int64)[~colour.any(axis=0)],))
         self.counts.shadow_rays += lit.size
         if not lit.size:
             return
-        left, tests = attenuate(
+        left, met, tests = attenuate(
             objects,
             here.origin[:, lit],
             way.direction[:, lit],
@@ -228,12 +238,14 @@ class _Tracer:
         self.counts.tests += tests
         self.watch("light", 0, (colour[:, lit], way.direction[:, lit], way.limit[lit]))
         self.watch("left", 0, (left,))
+        self.watch("shadow", 0, (colour[:, lit], left, met))
         self._add(here.pixel[lit], left)
 
-    def _child(self, here: _Rays, direction: Raw, share: Raw, depth: int) -> list[_Rays]:
+    def _child(self, kind: str, here: _Rays, direction: Raw, share: Raw, depth: int) -> list[_Rays]:
         """The secondary rays of one kind: where a channel of the weight is not negligible."""
         fmts = self.fmts
         weight = vec_mul(here.weight, share, fmts.shade, fmts.coeff, fmts.shade)
+        self.watch(kind, depth, (weight,))
         keep = np.flatnonzero(weight.max(axis=0) >= int(MIN_WEIGHT * fmts.shade.one))
         if not keep.size:
             return []
@@ -279,17 +291,21 @@ def _batches(pixels: int) -> Iterator[slice]:
     return (slice(start, min(start + _BATCH, pixels)) for start in range(0, pixels, _BATCH))
 
 
-def render(scene: Scene, size: Registers, fmts: Formats) -> Rendering:
-    """The picture that the core draws. Raises CameraFault for a camera, or a size, that cannot be drawn."""
+def render(scene: Scene, size: Registers, fmts: Formats, watch: Watch = _unwatched) -> Rendering:
+    """The picture that the core draws; ``watch`` hears of all that is traced for it.
+
+    Raises CameraFault for a camera, or a size, that cannot be drawn.
+    """
     frame = _Frame.of(scene, size, fmts)
     pixels = size.width * size.height
     rgb = np.empty((pixels, 3), dtype=np.uint8)
     hits = np.empty(pixels, dtype=np.int16)
     counts = Counts()
     for part in _batches(pixels):
-        tracer = frame.tracer(part.stop - part.start, counts)
+        tracer = frame.tracer(part.stop - part.start, counts, watch)
         hits[part] = tracer.trace(frame.primary(np.arange(part.start, part.stop)))
         rgb[part] = rgb888(tracer.sums, fmts).T
+        watch("pixel", 0, (tracer.sums,))
     shape = (size.height, size.width)
     return Rendering(rgb.reshape(*shape, 3), hits.reshape(shape), counts, frame.objects.degenerate)
 
@@ -300,6 +316,8 @@ def trace_pixel(scene: Scene, size: Registers, fmts: Formats, x: int, y: int) ->
     events: list[Event] = []
 
     def watch(kind: str, depth: int, values: tuple[Raw, ...]) -> None:
+        if kind not in _OF_PIXELS:
+            return
         flat = [int(number) for value in values for number in value[..., 0].ravel()]
         events.append(Event(kind, depth, tuple(flat)))
 

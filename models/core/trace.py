@@ -84,13 +84,15 @@ def _some(origin: Raw, index: slice | Raw) -> Raw:
 
 def attenuate(
     objects: Objects, origin: Raw, direction: Raw, limit: Raw, own: Raw, colour: Raw, fmts: Formats
-) -> tuple[Raw, int]:
-    """What is left of colours (3, n) in `shade` behind all objects on the way, and how many tests that took.
+) -> tuple[Raw, Raw, int]:
+    """What is left of colours (3, n) in `shade` behind all objects on the way, how many those are (n,), and
+    how many tests that took.
 
     Rays (3, n) end at ``limit`` (n,); each object that they meet filters the colour once, in the order of the
     object numbers, floored and saturated each time.
     """
     left = colour.copy()
+    objects_met = np.zeros(colour.shape[1], dtype=np.int64)
     tests = 0
     for number, shape in enumerate(objects.shapes):
         tested = _tested(shape, number, own)
@@ -101,4 +103,5 @@ def attenuate(
         place = met if tested is None else tested[met]
         share = objects.transparency[:, number, None]
         left[:, place] = vec_mul(left[:, place], share, fmts.shade, fmts.coeff, fmts.shade)
-    return left, tests
+        objects_met[place] += 1
+    return left, objects_met, tests

@@ -127,8 +127,16 @@ def shadow(objects: Objects, colour: Vec3, length: float, own: int = MISS) -> tu
     """What is left of a light's colour over some way down the z axis from 5."""
     limit = np.array([int(length * FMTS.point.one)])
     origin = column((0, 0, 5 * ONE << SHIFT))
-    left, tests = attenuate(objects, origin, column(DOWN), limit, np.array([own]), column(colour), FMTS)
+    left, _, tests = attenuate(objects, origin, column(DOWN), limit, np.array([own]), column(colour), FMTS)
     return left[:, 0].tolist(), tests
+
+
+def test_the_objects_on_the_way_to_a_light_are_counted() -> None:
+    objects = objects_of(ball((0, 0, 0)), face(3 * ONE))
+    ways = np.array([1, 4, 9]) * FMTS.point.one
+    rays = (np.repeat(column(vector), 3, axis=1) for vector in ((0, 0, 5 * ONE << SHIFT), DOWN))
+    _, met, _ = attenuate(objects, *rays, ways, np.full(3, MISS), np.full((3, 3), 4096), FMTS)
+    assert met.tolist() == [0, 1, 2]
 
 
 def test_an_opaque_object_on_the_way_leaves_nothing_and_one_behind_the_light_everything() -> None:
@@ -196,7 +204,7 @@ def test_many_rays_find_what_each_finds_alone(seed: int) -> None:
     limit = generator.integers(0, 12 * FMTS.point.one, count)
     colour = generator.integers(0, FMTS.shade.one, (3, count))
     best, tests = nearest(objects, origin, direction, own, FMTS)
-    left, shadow_tests = attenuate(objects, origin, direction, limit, own, colour, FMTS)
+    left, _, shadow_tests = attenuate(objects, origin, direction, limit, own, colour, FMTS)
     done = 0
     for ray in range(count):
         at, way = origin[:, [ray]], direction[:, [ray]]

@@ -141,7 +141,7 @@ class Table:
         return {**vars(best), "hit": (best.number != MISS).astype(np.int64), "glass": glass}
 
     def _terms(self, lines: Lines) -> Operands:
-        left, tests = attenuate(
+        left, _, tests = attenuate(
             self.objects, lines.origin, lines.direction, lines.limit, lines.own, lines.colour, self._fmts
         )
         self._count(lines, tests)
