@@ -1,9 +1,10 @@
 """The plan joined with what a regression found: which promises hold."""
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import partial
 
 from verif.plan.records import NamedTest, Plan, Promise, Specification
 
@@ -28,7 +29,7 @@ class Standing(StrEnum):
 class Verdict:
     """A promise and how it stands.
 
-    tests: status of each. points: of each cover point or bin that it needs, bins hit and bins there are.
+    tests: status of each. points: of each cover point or bin that it needs, bins hit and bins to hit.
     """
 
     plan: str
@@ -66,26 +67,39 @@ def _badness(status: str) -> int:
     return {PASSED: 0, NOT_RUN: 1}.get(status, 2)
 
 
-def join(plans: Sequence[Plan], results: Results, coverage: Mapping[str, int]) -> tuple[Verdict, ...]:
+def join(
+    plans: Sequence[Plan],
+    results: Results,
+    coverage: Mapping[str, int],
+    excluded: Collection[str] = frozenset(),
+) -> tuple[Verdict, ...]:
     """How every promise stands.
 
-    coverage: hits of every bin that is not excluded, by `<unit>.<point>.<bin>`; 0 where there were none.
+    coverage: hits of every bin, by `<unit>.<point>.<bin>`; 0 where there were none. excluded: bins that need
+    no hit. A cover point of which neither knows anything was not measured, which is a hole.
     """
-    return tuple(_verdict(plan, promise, results, coverage) for plan in plans for promise in plan.promises)
+    needed = {name: hits for name, hits in coverage.items() if name not in excluded}
+    judge = partial(_verdict, results=results, coverage=needed, excluded=excluded)
+    return tuple(judge(plan, promise) for plan in plans for promise in plan.promises)
 
 
-def _verdict(plan: Plan, promise: Promise, results: Results, coverage: Mapping[str, int]) -> Verdict:
+def _verdict(
+    plan: Plan, promise: Promise, results: Results, coverage: Mapping[str, int], excluded: Collection[str]
+) -> Verdict:
     tests = {str(test): _status(test, results) for test in promise.tests}
     points = {name: _hits(name, coverage) for name in promise.covers}
+    holes = [
+        name
+        for name, (hit, there) in points.items()
+        if hit < there or not (there or any(_is_of(found, name) for found in excluded))
+    ]
     worst = max(tests.values(), key=_badness, default=NOT_RUN)
     if worst == NOT_RUN:
         standing = Standing.NOT_RUN
     elif worst != PASSED:
         standing = Standing.FAILED
-    elif any(hit < there for hit, there in points.values()):
-        standing = Standing.HOLE
     else:
-        standing = Standing.PASSED
+        standing = Standing.HOLE if holes else Standing.PASSED
     return Verdict(
         plan.name, promise.id, promise.what, str(plan.file), promise.rules, tests, points, standing
     )
@@ -95,9 +109,14 @@ def _status(test: NamedTest, results: Results) -> str:
     return results.get((test.where, test.name), NOT_RUN)
 
 
+def _is_of(found: str, name: str) -> bool:
+    """Whether a bin is the one of this name, or belongs to the point of this name."""
+    return found == name or found.startswith(f"{name}.")
+
+
 def _hits(name: str, coverage: Mapping[str, int]) -> tuple[int, int]:
     """Bins hit and there, of a point or a bin."""
-    counts = [hits for found, hits in coverage.items() if found == name or found.startswith(f"{name}.")]
+    counts = [hits for found, hits in coverage.items() if _is_of(found, name)]
     return sum(hits > 0 for hits in counts), len(counts)
 
 
