@@ -26,7 +26,7 @@ def _run_name(name: str) -> str:
     return f"code-coverage-{name}"
 
 
-def _unit(unit: str, parameter_set: str) -> Outcome:
+def _unit(unit: str, parameter_set: str, coverage: bool) -> Outcome:
     name = _run_name(f"{unit}-{parameter_set}")
     return units.simulate(
         unit,
@@ -36,24 +36,24 @@ def _unit(unit: str, parameter_set: str) -> Outcome:
         effort=_EFFORT,
         run_name=name,
         shrink=False,
-        coverage=True,
+        coverage=coverage,
     )
 
 
-def _case(case: cases.Case) -> Outcome:
+def _case(case: cases.Case, coverage: bool) -> Outcome:
     return cases.simulate(
         case,
         seed=_SEED,
         examples=_CORE_EXAMPLES,
         run_name=_run_name(f"core-{case}"),
         shrink=False,
-        coverage=True,
+        coverage=coverage,
     )
 
 
-def _axi() -> Outcome:
+def _axi(coverage: bool) -> Outcome:
     return run(
-        replace(axi_build(Simulator.VERILATOR), coverage=True),
+        replace(axi_build(Simulator.VERILATOR), coverage=coverage),
         "verif.core.axi_bench",
         _run_name("axi"),
         seed=_SEED,
@@ -61,9 +61,9 @@ def _axi() -> Outcome:
     )
 
 
-def _core_vga() -> Outcome:
+def _core_vga(coverage: bool) -> Outcome:
     return run(
-        replace(core_vga_build(Simulator.VERILATOR), coverage=True),
+        replace(core_vga_build(Simulator.VERILATOR), coverage=coverage),
         "verif.video.core_bench",
         _run_name("core-vga"),
         seed=_SEED,
@@ -71,21 +71,20 @@ def _core_vga() -> Outcome:
     )
 
 
-def _core_runs() -> dict[str, Callable[[], Outcome]]:
-    """The core with one unit, in all that its benches do; a build for it is made in bearable time."""
-    chosen = [case for case in cases.CASES if case.design == cases.ONE and case.bench in _CORE_BENCHES]
-    found = {f"core-{case}": partial(_case, replace(case, scenes=_CORE_SCENES)) for case in chosen}
-    return {**found, "axi": _axi, "core-vga": _core_vga}
-
-
-def _unit_runs() -> dict[str, Callable[[], Outcome]]:
+def _unit_runs() -> dict[str, Callable[[bool], Outcome]]:
     pairs = [(unit, chosen) for unit in units.names() for chosen in units.find(unit).parameter_sets()]
     return {f"{unit}-{chosen}": partial(_unit, unit, chosen) for unit, chosen in pairs}
 
 
+def _core_runs() -> dict[str, Callable[[bool], Outcome]]:
+    """The core with one unit, in all that its benches do; a build for it is made in bearable time."""
+    chosen = [case for case in cases.CASES if case.design == cases.ONE and case.bench in _CORE_BENCHES]
+    return {f"core-{case}": partial(_case, replace(case, scenes=_CORE_SCENES)) for case in chosen}
+
+
 @cache
-def _all() -> Mapping[str, Callable[[], Outcome]]:
-    return {**_core_runs(), **_unit_runs()}
+def _all() -> Mapping[str, Callable[[bool], Outcome]]:
+    return {"axi": _axi, "core-vga": _core_vga, **_unit_runs(), **_core_runs()}
 
 
 def of_unit(unit: str) -> tuple[str, ...]:
@@ -95,14 +94,14 @@ def of_unit(unit: str) -> tuple[str, ...]:
 
 def of_core() -> tuple[str, ...]:
     """The runs of the whole core."""
-    return tuple(_core_runs())
+    return ("axi", "core-vga", *_core_runs())
 
 
 def everything() -> tuple[str, ...]:
-    """All runs: the core's first, since they take longest."""
+    """All runs: those that build longest first, and those that share a build last."""
     return tuple(_all())
 
 
-def simulate(name: str) -> Outcome:
-    """Builds where need be and runs, with coverage. Raises KeyError where no run is called so."""
-    return _all()[name]()
+def simulate(name: str, coverage: bool = True) -> Outcome:
+    """Builds where need be and runs. Raises KeyError where no run is called so."""
+    return _all()[name](coverage)
