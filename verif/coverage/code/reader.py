@@ -3,10 +3,14 @@
 A line is ``C '<\\x01key\\x02value...>' count`` with the keys f (file), l (line), n (column), t (type),
 o (comment), S (lines that are hit with the point) and h (instance). Only the design counts: testbenches,
 harnesses and changed copies of a file lie outside `hdl/`.
+
+Sinks of unused bits, as ``wire unused_x = &{1'b0, x};``, are no design either: they are 0 whatever happens, and
+tell lint that something is left open on purpose.
 """
 
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 from verif.coverage.code.points import CodeCoverage, Hits, Kind, Point, digest_of
@@ -16,6 +20,7 @@ FILE = "coverage.dat"
 """Of a run's folder."""
 
 _LINE = re.compile(r"C '(?P<keys>[^']*(?:'[^' ][^']*)*)' (?P<count>\d+)")
+_SINK = re.compile(r"^\s*wire\s+unused_\w+\s*=\s*&\{1'b0\b[^;]*;", re.MULTILINE)
 _ITERATION = re.compile(r"\[\d+\](?=\.)")
 _INDEX_WIDTH = re.compile(r"\[\d+(:0)?\](?=\+:)")
 
@@ -44,6 +49,20 @@ def _span(text: str) -> frozenset[int]:
     return frozenset(lines)
 
 
+def sinks(text: str) -> frozenset[int]:
+    """The lines of a file's sinks of unused bits, from 1."""
+    lines: set[int] = set()
+    for found in _SINK.finditer(text):
+        first = text.count("\n", 0, found.end() - len(found.group().lstrip())) + 1
+        lines.update(range(first, first + found.group().lstrip().count("\n") + 1))
+    return frozenset(lines)
+
+
+@cache
+def _sinks_of(file: str) -> frozenset[int]:
+    return sinks((sources.ROOT / file).read_text())
+
+
 def _entries(path: Path) -> Iterator[tuple[dict[str, str], int]]:
     for number, line in enumerate(path.read_text().splitlines(), 1):
         if line.startswith("#"):
@@ -70,6 +89,8 @@ def read(path: Path, test: str) -> CodeCoverage:
                 file = str(Path(keys["f"]).relative_to(sources.ROOT))
                 kind = Kind(keys["t"])
                 point = Point(file, int(keys["l"]), int(keys["n"]), kind, _plain(kind, keys["o"]))
+                if point.line in _sinks_of(file):
+                    continue
                 hits = Hits(count, frozenset({test} if count else ()), _span(keys.get("S", "")))
                 points[point] = points[point] + hits if point in points else hits
     except (KeyError, ValueError) as error:

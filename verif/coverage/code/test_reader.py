@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from verif.coverage.code.points import CodeCoverage, Hits, Kind, Point
-from verif.coverage.code.reader import CoverageError, read
+from verif.coverage.code.reader import CoverageError, read, sinks
 from verif.env import sources
 
 _SQRT = sources.HDL / "arith" / "sqrt.v"
@@ -69,6 +69,19 @@ def test_a_test_that_hits_nothing_is_not_among_those_that_hit(tmp_path: Path) ->
 def test_testbenches_and_copies_are_not_the_design(tmp_path: Path) -> None:
     others = (sources.VERIF / "core" / "core_tb.v", sources.ROOT / "build" / "sim" / "x" / "harness.v")
     assert not _read(tmp_path, *(_line("line", "block", 1, file=file) for file in others)).points
+
+
+def test_sinks_of_unused_bits_are_not_the_design() -> None:
+    text = "wire a;\n\n wire unused_a = &{1'b0, a};\nwire unused_b =\n  &{1'b0,\n  b};\nwire unused_c = c;\n"
+    assert sinks(text) == {3, 4, 5, 6}
+
+
+def test_points_of_a_sink_are_not_read(tmp_path: Path) -> None:
+    text = _SQRT.with_name("sqrt_step.v").read_text()
+    (number,) = sinks(text)
+    assert "unused_top" in text.splitlines()[number - 1]
+    line = _line("toggle", "unused_top:0->1", 0, file=_SQRT.with_name("sqrt_step.v"))
+    assert not _read(tmp_path, line.replace("\x0276", f"\x02{number}")).points
 
 
 @pytest.mark.parametrize("text", ["C 'nonsense\n", "hello\n", "C '\x01t\x02line' 3\n", _line("fsm", "a", 1)])
