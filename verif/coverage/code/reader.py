@@ -4,8 +4,8 @@ A line is ``C '<\\x01key\\x02value...>' count`` with the keys f (file), l (line)
 o (comment), S (lines that are hit with the point) and h (instance). Only the design counts: testbenches,
 harnesses and changed copies of a file lie outside `hdl/`.
 
-Sinks of unused bits, as ``wire unused_x = &{1'b0, x};``, are no design either: they are 0 whatever happens, and
-tell lint that something is left open on purpose.
+Sinks of unused bits, as ``wire unused_x = &{1'b0, x};``, are no design either: they are 0 whatever happens,
+and tell lint that something is left open on purpose.
 """
 
 import re
