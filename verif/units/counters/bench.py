@@ -20,6 +20,9 @@ _COUNTER_OF = {
     "flat": "degenerate",
 }
 """Event and counter, by port."""
+_REGISTERS = ("frame_reg", "at_point_reg", "flat_reg")
+"""All counters, side by side."""
+COUNTER_W = 32
 _SINCE_RESET = ("lights_at_point", "degenerate")
 _RARE = 1 / 50
 """Share of the clocks of a long run in which a frame begins."""
@@ -57,13 +60,22 @@ class CountersBench(Block):
         await self.reset(cycles=1)
         self.expected = dict.fromkeys(_COUNTER_OF.values(), 0)
 
+    async def preset(self, number: int) -> None:
+        """A clock without events; all counters stand at ``number`` after it."""
+        await self.step(Clock())
+        for register in _REGISTERS:
+            value = getattr(self._dut, register)
+            value.value = sum(number << low for low in range(0, len(value), COUNTER_W))
+        self.expected = dict.fromkeys(self.expected, number)
+
     async def step(self, inputs: Clock) -> None:
         """One clock: the counters show all that was before it."""
         await self.clock(**inputs.inputs)
         got = {counter: self.read(counter) for counter in self.expected}
         same(f"counters at clock {self.now}", self.expected, got)
         for event, counter in _COUNTER_OF.items():
-            self.expected[counter] += int(getattr(inputs, event)).bit_count()
+            counted = self.expected[counter] + int(getattr(inputs, event)).bit_count()
+            self.expected[counter] = counted % (1 << COUNTER_W)
             if inputs.frame_start and counter not in _SINCE_RESET:
                 self.expected[counter] = 0
 
@@ -142,3 +154,14 @@ async def reset_clears_all_counters(dut: Any) -> None:
         await bench.steps(after)
 
     await holds(run, example, _clocks(bench), _clocks(bench))
+
+
+@cocotb.test()
+async def every_bit_of_every_counter_counts(dut: Any) -> None:
+    """Also those that no run waits for: counters are set to each 2^k - 1 and count on, past 2^32 too."""
+    bench, _ = await _bench(dut)
+    tested = (1 << bench.units) - 1
+    for bits in range(1, COUNTER_W + 1):
+        await bench.preset((1 << bits) - 1)
+        await bench.step(Clock(False, True, True, True, True, tested, True, True))
+        await bench.step(Clock())
