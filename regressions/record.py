@@ -11,6 +11,7 @@ from enum import StrEnum
 from pathlib import Path
 
 from regressions.json_form import FormError, decode, encode
+from verif.plan.join import Standing
 
 SCHEMA = 1
 """Version of the record's form: changes whenever a reader of the old form would go wrong."""
@@ -141,13 +142,16 @@ class CodeKind(StrEnum):
 
 @dataclass(frozen=True)
 class CodePoint:
-    """One point of code coverage. line: from 1; name: branch, term of an expression, or bit and direction;
-    excluded: why it need not be hit; by: results that hit it, as places in `Record.results`."""
+    """One point of code coverage. line, column: from 1, where it begins; name: branch, term of an expression,
+    or bit and direction; lines: that are hit with it; excluded: why it need not be hit; by: runs that hit it,
+    as places in `Record.code_runs`."""
 
     line: int
+    column: int
     kind: CodeKind
     name: str
     hits: int
+    lines: tuple[int, ...] = ()
     excluded: str = ""
     by: tuple[int, ...] = ()
 
@@ -196,7 +200,7 @@ class Mutation:
 class Promise:
     """A promise of the verification plan joined with what ran. unit: `specification` where it is the
     specification's; tests: names with the worst status of their runs; points: names of cover points, with
-    bins hit and bins needed."""
+    bins hit and bins needed; standing: whether it holds."""
 
     unit: str
     name: str
@@ -204,12 +208,14 @@ class Promise:
     file: str
     tests: Mapping[str, Status] = field(default_factory=dict)
     points: Mapping[str, tuple[int, int]] = field(default_factory=dict)
+    standing: Standing = Standing.NOT_RUN
 
 
 @dataclass(frozen=True)
 class Record:
     """A regression. id: its folder's name below `build/regressions/`; list: its name; seed: root of all
     seeds; dirty: the tree differs from the revision; tools: versions by name; started: UTC, ISO 8601;
+    code_runs: names of the runs that collected code coverage;
     interrupted: it was stopped before its end; notes: what a section could not measure, and why."""
 
     id: str
@@ -227,6 +233,7 @@ class Record:
     coverage: tuple[Unit, ...] = ()
     curves: tuple[Curve, ...] = ()
     code: tuple[File, ...] = ()
+    code_runs: tuple[str, ...] = ()
     mutation: tuple[Mutation, ...] = ()
     plan: tuple[Promise, ...] = ()
     notes: tuple[str, ...] = ()

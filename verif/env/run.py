@@ -1,7 +1,7 @@
 """Runs a cocotb bench on a build and judges the run: silence is never a pass.
 
-A run leaves `settings.json`, `sim.log`, `results.xml` and `outcome.json` in a folder of its own. Two variables
-of the environment say where that folder is and how much simulated time it has (`verif.env.limit`).
+A run leaves `settings.json`, `sim.log`, `results.xml` and `outcome.json` in a folder of its own. Two
+variables of the environment say where that is and how much simulated time it has (`verif.env.limit`).
 """
 
 import json
