@@ -4,36 +4,44 @@ What is read after `clock` are the outputs of the clock that has just ended, set
 that were set for it.
 """
 
-from collections.abc import Awaitable, Callable, Sequence
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 from typing import Any
 
 from cocotb.task import resume
 from hypothesis import strategies as st
 
 from models.fixed import Raw
-from verif.env import context, properties
+from verif.env import context, properties, unknowns
 from verif.env.clocking import Clocking
 from verif.env.context import Context
 from verif.env.coverage.declared import coverage_of_name
 from verif.env.coverage.sampling import Signals, clock_number
 from verif.env.fields import Field, Operands, join, split
 from verif.env.pipelined import Mismatch
+from verif.env.unknowns import Drive
+
+_NONE: Mapping[str, Sequence[str]] = MappingProxyType({})
 
 
 class Block:
     """A block under test.
 
-    Inputs hold until they are set again; reset lowers those in ``idle``. `now` counts clocks. Each clock the
-    signals that the unit's `coverage.py` names are sampled.
+    Inputs hold until they are set again; reset lowers those in ``idle``. ``carried``: by the name of a valid,
+    the inputs that mean something only while it is high; in other clocks they are unknown. A valid of several
+    bits has as many lanes of them. `now` counts clocks. Each clock the signals that the unit's `coverage.py`
+    names are sampled.
     """
 
-    def __init__(self, dut: Any, idle: Sequence[str]) -> None:
+    def __init__(self, dut: Any, idle: Sequence[str], carried: Mapping[str, Sequence[str]] = _NONE) -> None:
         self._dut = dut
         self.clocking = Clocking(dut)
         self._idle = idle
         self._ports: dict[str, Any] = {}
-        self._set: dict[str, int] = {}
+        self._set: dict[str, Drive] = {}
+        self._carried = carried
+        self._shown: dict[str, int] = {}
         self.log = dut._log
         self.now = 0
         run = context.read()
@@ -44,24 +52,36 @@ class Block:
             self._ports[name] = getattr(self._dut, name)
         return self._ports[name]
 
-    def set(self, **inputs: int) -> None:
+    def set(self, **inputs: Drive) -> None:
         """Inputs from now on."""
         for name, value in inputs.items():
             if self._set.get(name) != value:
                 self._port(name).value = value
                 self._set[name] = value
+                self._shown.pop(name, None)
 
     def set_fields(self, fields: Sequence[Field], operands: Operands) -> None:
         """Inputs that are vectors or signed; one operand."""
         self.set(**{field.name: join((field,), operands)[0] for field in fields})
 
-    async def clock(self, **inputs: int) -> None:
+    async def clock(self, **inputs: Drive) -> None:
         """Sets inputs and lets one clock pass."""
         self.set(**inputs)
+        self._hide()
         await self.clocking.edge
         self.now += 1
         if self.signals is not None:
             self.signals.sample()
+
+    def _hide(self) -> None:
+        """Makes unknown what belongs to a low valid, and known again what does not."""
+        for valid, names in self._carried.items():
+            shown, lanes = int(self._set.get(valid, 0)), len(self._port(valid))
+            for name in names:
+                if self._shown.get(name) != shown:
+                    port = self._port(name)
+                    port.value = unknowns.partly(int(self._set.get(name, 0)), len(port), shown, lanes)
+                    self._shown[name] = shown
 
     def covered(self, name: str) -> None:
         """Tells that a bin, `point.bin`, has been hit: one that no signal shows."""

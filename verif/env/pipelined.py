@@ -12,7 +12,7 @@ from typing import Any
 import cocotb
 import numpy as np
 
-from verif.env import context
+from verif.env import context, unknowns
 from verif.env.clocking import Clocking
 from verif.env.coverage.collector import Collector
 from verif.env.coverage.declared import coverage_of
@@ -106,6 +106,7 @@ class PipelinedBench:
         self.log = dut._log
         self._inputs = unit.inputs(parameters)
         self._framed = framed(self._inputs)
+        self._bits = sum(field.bits for field in self._framed)
         self._port = getattr(dut, "in")
         self._given = Monitor(self._port)
         self._got = Monitor(dut.out)
@@ -128,7 +129,7 @@ class PipelinedBench:
 
         The monitors see again from the second clock on: what was in flight must be gone by then.
         """
-        self._port.value = 0
+        self._port.value = unknowns.idle(0, self._bits)
         if self.coverage is not None:
             busy = len(self._given.trace.clocks) > len(self._got.trace.clocks)
             self.coverage.tell("reset.busy" if busy else "reset.idle", clock_number())
@@ -149,18 +150,18 @@ class PipelinedBench:
                 self._got.sample(clock)
 
     async def drive(self, operands: Operands, gaps: Sequence[int] = ()) -> None:
-        """One operand a clock, ``gaps[i % len(gaps)]`` idle clocks before operand i."""
+        """One operand a clock, ``gaps[i % len(gaps)]`` clocks of nothing known before operand i."""
         number = count(operands)
         tags = np.arange(number) & ((1 << TAG_W) - 1)
         words = join(self._framed, {"valid": np.ones(number, np.int64), "tag": tags, **operands})
         edge, port = self.clocking.edge, self._port
         for index, word in enumerate(words):
             if gaps and (idle := gaps[index % len(gaps)]):
-                port.value = 0
+                port.value = unknowns.idle(word, self._bits)
                 await self.clocking.cycles(idle)
             port.value = word
             await edge
-        port.value = 0
+        port.value = unknowns.idle(words[-1], self._bits)
 
     async def drain(self) -> None:
         """Waits until everything in flight must have come out, and then some."""

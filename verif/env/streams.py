@@ -23,6 +23,7 @@ from cocotb.task import Task
 from cocotb.triggers import Event, RisingEdge
 from cocotb_bus.bus import Bus
 
+from verif.env import unknowns
 from verif.env.clocking import Clocking
 from verif.env.fields import Field, Operands, count, join, split
 
@@ -180,12 +181,11 @@ def _pattern(waits: Sequence[int]) -> Iterable[int]:
 
 
 class StreamSource(_Agent):
-    """Offers queued transactions in order. Between them the fields hold complements, never old values."""
+    """Offers queued transactions in order. Between them the fields are unknown, see `verif.env.unknowns`."""
 
     def __init__(self, stream: Stream, bus: Any, clocking: Clocking) -> None:
         super().__init__(stream, bus, clocking)
         self._ports = [getattr(bus, f"field_{field.name}") for field in stream.fields]
-        self._masks = [(1 << field.bits) - 1 for field in stream.fields]
         self._queue: deque[tuple[int, ...]] = deque()
         self._filled = Event()
         self._idles = iter(_pattern(()))
@@ -207,8 +207,8 @@ class StreamSource(_Agent):
 
     def _release(self) -> None:
         self._bus.valid.value = 0
-        for port, mask, value in zip(self._ports, self._masks, self._last, strict=True):
-            port.value = ~value & mask
+        for port, field, value in zip(self._ports, self.stream.fields, self._last, strict=True):
+            port.value = unknowns.instead(value, field.bits)
 
     def _forget(self) -> None:
         self._queue.clear()

@@ -13,7 +13,7 @@ from numpy.random import Generator
 
 from models.fixed import Format, Raw
 from models.header import selected
-from verif.env import vectors
+from verif.env import unknowns, vectors
 from verif.env.block import Block
 from verif.env.fields import Field, Operands, bit, describe_all, join, split
 from verif.env.pipelined import Mismatch
@@ -54,10 +54,13 @@ class ShadingBench(Block):
     def __init__(
         self, dut: Any, p: Parameters, inputs: Sequence[Field], outputs: Sequence[Field], latency: int
     ):
-        super().__init__(dut, idle=("in", "table_valid"))
+        super().__init__(
+            dut, idle=("in", "table_valid"), carried={"table_valid": ("table_index", "table_material")}
+        )
         self.set(table_index=0, table_material=0)
         self.parameters, self.latency = p, latency
         self._inputs, self._outputs = tuple(inputs), tuple(outputs)
+        self._bits = 1 + sum(field.bits for field in inputs)
         self._seen: list[int] = []
 
     async def restart(self) -> None:
@@ -72,7 +75,8 @@ class ShadingBench(Block):
         self.set(table_valid=0, **settings)
 
     async def _tick(self, word: int = 0, **inputs: int) -> None:
-        await self.clock(**{"in": word}, **inputs)
+        self.set(**{"in": word or unknowns.idle(0, self._bits)})
+        await self.clock(**inputs)
         self._seen.append(self.read("out"))
 
     async def drive(self, steps: Operands, gaps: Sequence[int] = ()) -> list[int]:

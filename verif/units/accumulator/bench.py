@@ -105,7 +105,11 @@ class AccumulatorBench(Block):
     """Announces work, sends terms, and compares what comes out at every clock."""
 
     def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
-        super().__init__(dut, idle=("more_valid", "term_valid"))
+        super().__init__(
+            dut,
+            idle=("more_valid", "term_valid"),
+            carried={"more_valid": ("more_slot", "more_count"), "term_valid": ("term_slot", "term_colour")},
+        )
         self.set(more_slot=0, more_count=0, term_slot=0, term_colour=0)
         self.slots = parameters["SLOTS"]
         self.most_work = 1 << parameters["COUNT_W"]

@@ -30,7 +30,7 @@ class FifoBench(Block):
     """Both sides of the queue, and the list that it must be."""
 
     def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
-        super().__init__(dut, idle=("in_valid", "out_ready"))
+        super().__init__(dut, idle=("in_valid", "out_ready"), carried={"in_valid": ("in_data",)})
         self.set(in_data=0)
         self.width, self.depth = parameters["WIDTH"], parameters["DEPTH"]
         self._held: deque[tuple[int, int]] = deque()

@@ -31,7 +31,7 @@ class MergeBench(Block):
     """
 
     def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
-        super().__init__(dut, idle=("in_valid", "out_ready"))
+        super().__init__(dut, idle=("in_valid", "out_ready"), carried={"in_valid": ("in_data",)})
         self.set(in_data=0)
         self.ports, self._width = parameters["PORTS"], parameters["WIDTH"]
         self._start()

@@ -195,7 +195,7 @@ class ObjectSetupBench(Block):
     """The set-up between a scene memory and a normaliser; its rows, its requests and its marks."""
 
     def __init__(self, dut: Any, parameters: Mapping[str, int], generator: Generator) -> None:
-        super().__init__(dut, idle=("start", "unit_valid"))
+        super().__init__(dut, idle=("start", "unit_valid"), carried={"unit_valid": ("unit",)})
         self.bits = parameters["WIDE_W"]
         self.most = tuple(1 << parameters[f"{kind}_INDEX_W"] for kind in ("SPHERE", "TRIANGLE"))
         self._generator = generator

@@ -49,7 +49,9 @@ class QueueBench(Block):
     """The rays before the queue, and the consumer behind it."""
 
     def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
-        super().__init__(dut, idle=("start", "slot_ready", "in_valid"))
+        super().__init__(
+            dut, idle=("start", "slot_ready", "in_valid"), carried={"in_valid": ("in_slot", "in_pixel")}
+        )
         self.slots = parameters["SLOTS"]
         self.set(in_slot=0, in_pixel=0, width=1, height=1)
         self._sink = _VIDEO.sink(dut, "out", self.clocking)

@@ -83,7 +83,7 @@ class RayBench(Block):
     """Sets pictures up, offers slots and checks rays."""
 
     def __init__(self, dut: Any) -> None:
-        super().__init__(dut, idle=("start", "slot_valid"))
+        super().__init__(dut, idle=("start", "slot_valid"), carried={"slot_valid": ("slot",)})
         self._sent: int | None = None
 
     @classmethod

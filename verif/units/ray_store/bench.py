@@ -213,7 +213,15 @@ class StoreBench(Block):
     """Drives the store with a tracer, and compares all outputs with the model at every clock."""
 
     def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
-        super().__init__(dut, idle=("primary_valid", "child_valid", "settle_valid", "ray_ready"))
+        super().__init__(
+            dut,
+            idle=("primary_valid", "child_valid", "settle_valid", "ray_ready"),
+            carried={
+                "primary_valid": ("primary",),
+                "child_valid": ("child", "child_depth"),
+                "settle_valid": ("settle_depth", "settle_count"),
+            },
+        )
         self.depths, self.room = parameters["MAX_DEPTH"], parameters["LEVEL_ROOM"]
         self._width = parameters["RAY_W"]
         self.set(primary=0, child=0, child_depth=0, settle_depth=0, settle_count=0, max_depth=1, branches=0)

@@ -71,7 +71,11 @@ class MemoryBench(Block):
     """Drives a clock and compares all outputs with the banks."""
 
     def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
-        super().__init__(dut, idle=("write_valid", "swap"))
+        super().__init__(
+            dut,
+            idle=("write_valid", "swap"),
+            carried={"write_valid": ("write_kind", "write_index", "write_record")},
+        )
         self.capacity = {kind: parameters[f"{kind.name}S"] for kind in _PORTS}
         self._banks = Banks()
         self._read: dict[Record, int | None] = {}

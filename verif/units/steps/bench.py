@@ -80,7 +80,11 @@ class StepsBench(Block):
     """Offers hits until they are taken, gives places back, and compares all outputs at every clock."""
 
     def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
-        super().__init__(dut, idle=("in_valid", "direct_back", "shadow_back"))
+        super().__init__(
+            dut,
+            idle=("in_valid", "direct_back", "shadow_back"),
+            carried={"in_valid": ("in_item", "in_hit", "in_branching")},
+        )
         self.set(in_item=0, in_hit=0, in_branching=0, lights=0)
         self.parameters = parameters
         self._mask = (1 << parameters["ITEM_W"]) - 1

@@ -94,7 +94,15 @@ class TraceBench(Block):
     """Starts rays where the unit is free, takes results, and compares all outputs at every clock."""
 
     def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
-        super().__init__(dut, idle=("table_valid", "ray_valid", "shadow_valid", "hit_ready", "term_ready"))
+        super().__init__(
+            dut,
+            idle=("table_valid", "ray_valid", "shadow_valid", "hit_ready", "term_ready"),
+            carried={
+                "table_valid": ("table_index", "table_geometry"),
+                "ray_valid": ("ray",),
+                "shadow_valid": ("shadow",),
+            },
+        )
         self.set(table_index=0, table_geometry=0, objects=0, ray=0, shadow=0)
         self.parameters = parameters
         self.model = Model(parameters)

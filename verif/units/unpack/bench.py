@@ -27,7 +27,9 @@ class UnpackBench(Block):
     """A sender of words, a reader of fields, and the bits between them."""
 
     def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
-        super().__init__(dut, idle=("in_valid", "field_take", "flush"))
+        super().__init__(
+            dut, idle=("in_valid", "field_take", "flush"), carried={"in_valid": ("in_data", "in_last")}
+        )
         self.field_w = parameters["FIELD_W"]
         self._bits = ""
         self._ended = False
