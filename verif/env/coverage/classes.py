@@ -35,6 +35,11 @@ def any_lane(found: NDArray[np.bool_]) -> NDArray[np.bool_]:
     return np.asarray(found.reshape(-1, found.shape[-1]).any(axis=0))
 
 
+def all_lanes(found: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Per column: in all lanes."""
+    return np.asarray(found.reshape(-1, found.shape[-1]).all(axis=0))
+
+
 def before(values: Raw, clocks: int = 1) -> Raw:
     """A block's signal so many clocks ago; -1 where that was not sampled."""
     earlier = np.full_like(values, -1)

@@ -1,0 +1,20 @@
+"""What must have been seen of the point-wise product: factors, residues, limits, lanes apart."""
+
+import numpy as np
+
+from models.fixed import Raw
+from verif.env.coverage.points import Coverage, Samples
+from verif.env.coverage.rounding import lanes_apart
+from verif.env.coverage.sieve import Sieve
+from verif.env.unit import Parameters
+from verif.units.product_coverage import factors, rounded
+from verif.units.vec_mul.unit import UNIT
+
+SIEVE = Sieve(UNIT)
+
+
+def _exact(_p: Parameters, s: Samples) -> Raw:
+    return np.asarray(s["a"] * s["b"])
+
+
+COVERAGE = Coverage((*factors(UNIT.inputs, "a", "b"), *rounded(SIEVE, _exact), lanes_apart(SIEVE, "p")))
