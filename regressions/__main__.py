@@ -6,8 +6,8 @@
     python -m regressions show [--of ID]            a regression's summary
 
 `--of` names another regression than the latest. Each has a folder `build/regressions/<id>/` with its
-`record.json`, `summary.md`, `junit.xml` and a folder for each run. Exit code 0 where everything passed, 1 where
-not, 2 where the request cannot be understood.
+`record.json`, `summary.md`, `junit.xml` and a folder for each run. Exit code 0 where everything passed, 1
+where not, 2 where the request cannot be understood.
 """
 
 import argparse

@@ -84,26 +84,28 @@ def _name(number: int) -> str:
 
 
 def _checks(planned: Result, folder: Path, left: Sequence[Any], ended: Ended) -> Iterator[Check]:
-    """The tests inside a run: cocotb's where a simulator ran, pytest's otherwise, a module as a whole."""
+    """The tests inside a run: pytest's, and cocotb's in each simulation that it started; a module is one."""
     if planned.kind == Kind.MODULE:
-        yield Check(planned.test, _tail(folder) if ended.code else "")
-    elif planned.kind == Kind.PYTEST:
-        yield from _of_pytest(folder / PYTEST)
-    else:
-        for outcome in left:
-            for name, text in outcome["tests"].items():
-                yield Check(name, trimmed(text or ""), simulated_ns=outcome["simulated_ns"][name])
+        yield Check(planned.test, message=_tail(folder) if ended.code else "")
+        return
+    for outcome in left:
+        for name, text in outcome["tests"].items():
+            yield Check(
+                name, outcome["module"], trimmed(text or ""), simulated_ns=outcome["simulated_ns"][name]
+            )
+    yield from _of_pytest(folder / PYTEST)
 
 
 def _of_pytest(path: Path) -> Iterator[Check]:
     if not path.exists():
         return
     for case in ElementTree.parse(path).getroot().iter("testcase"):
-        name = f"{case.get('classname', '')}::{case.get('name', '?')}"
+        where = f"{case.get('classname', '').replace('.', '/')}.py"
         failed = [case.find(kind) for kind in ("failure", "error")]
         text = "\n".join(element.get("message", "") for element in failed if element is not None)
         skip = case.find("skipped")
-        yield Check(name, trimmed(text), "" if skip is None else skip.get("message") or "skipped")
+        skipped = "" if skip is None else skip.get("message") or "skipped"
+        yield Check(case.get("name", "?"), where, trimmed(text), skipped)
 
 
 def trimmed(text: str) -> str:
@@ -114,8 +116,10 @@ def trimmed(text: str) -> str:
 
 
 def _told(checks: Sequence[Check]) -> str:
-    """The failed checks' messages, those with the smallest example first."""
+    """The failed checks' messages, those with the smallest example first. What pytest says of a simulation is
+    left out where the simulation has said it."""
     failed = sorted((c for c in checks if c.message), key=lambda check: not shrunk(check.message))
+    failed = [check for check in failed if check.where.startswith("verif.")] or failed
     return "\n\n".join(f"{check.name}: {check.message}" for check in failed)
 
 

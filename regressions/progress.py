@@ -32,6 +32,10 @@ class Progress:
         """A build ended."""
         self._say(f"building {done}/{total}", done == total)
 
+    def recording(self, done: int, total: int) -> None:
+        """A failure was repeated with waves."""
+        self._say(f"waves of {done}/{total} failures", done == total)
+
     def started(self) -> None:
         """A run began. The time left is counted from the first one."""
         if not self._done and not self._running:

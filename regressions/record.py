@@ -35,10 +35,12 @@ class Status(StrEnum):
 class Check:
     """One test inside a run: a cocotb test, or a test of pytest's where no simulator ran.
 
-    message: why it failed; empty where it passed. A skipped test has a reason and checked nothing.
+    where: a cocotb test's module, or the file of one of pytest's. message: why it failed; empty where it
+    passed. A skipped test has a reason and checked nothing.
     """
 
     name: str
+    where: str = ""
     message: str = ""
     skipped: str = ""
     simulated_ns: float = 0.0

@@ -10,12 +10,13 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from regressions import merge, provenance, record, triage
+from regressions import provenance, record, sections, triage
 from regressions.builds import without_build
 from regressions.execute import execute
 from regressions.lists import Kind
 from regressions.progress import Progress
-from regressions.record import Bucket, Record, Result, Status
+from regressions.record import Record, Result, Status
+from verif.env import sources
 from verif.env.build import CACHE
 
 FOLDER = CACHE / "regressions"
@@ -24,6 +25,8 @@ RECORD = "record.json"
 
 _WITH_WAVES = 3
 """Buckets whose first run is repeated with all signals recorded."""
+
+_SIMULATE = (Kind.UNIT, Kind.CORE)
 
 _WAVES_FACTOR = 5.0
 """Recording makes a run nearly four times as long, and needs a build of its own."""
@@ -70,17 +73,12 @@ def regress(order: Order, folder: Path, stop: threading.Event, progress: Progres
     # From the first moment there is a record, whatever ends this process.
     record.write(replace(found, interrupted=True), folder / RECORD)
     results = _results(order, folder, stop, progress)
-    buckets, notes = _with_waves(triage.buckets(results), results, folder, stop)
-    by_bucket = {bucket.results[0]: bucket.waves for bucket in buckets}
-    found = replace(
-        found,
-        results=tuple(replace(result, waves=by_bucket.get(result.id, "")) for result in results),
-        buckets=buckets,
-        notes=notes,
-        interrupted=stop.is_set(),
-        seconds=round(time.monotonic() - start, 1),
-    )
-    found = merge.merged(found, folder)
+    found = replace(found, results=results, buckets=triage.buckets(results))
+    record.write(replace(found, interrupted=True), folder / RECORD)
+    found = _with_waves(found, folder, stop, progress)
+    seconds = round(time.monotonic() - start, 1)
+    found = replace(found, interrupted=stop.is_set(), seconds=seconds)
+    found = sections.added(found, sources.ROOT)
     record.write(found, folder / RECORD)
     _point_to(folder)
     return found
@@ -112,28 +110,33 @@ def _results(order: Order, folder: Path, stop: threading.Event, progress: Progre
     return tuple(ended[run.id] for run in order.planned)
 
 
-def _with_waves(
-    found: Sequence[Bucket], results: Sequence[Result], folder: Path, stop: threading.Event
-) -> tuple[tuple[Bucket, ...], tuple[str, ...]]:
-    """The first buckets with recorded signals of their first run, and notes on what did not fail again."""
-    by_id = {result.id: result for result in results}
-    filled, notes = [], []
-    recorded = 0
-    for bucket in found:
-        first = by_id[bucket.results[0]]
-        simulates = first.kind in (Kind.UNIT, Kind.CORE) and first.status is not Status.NOT_RUN
-        if not simulates or recorded == _WITH_WAVES or stop.is_set():
-            filled.append(bucket)
-            continue
-        recorded += 1
-        again = replace(first, wall_limit=first.wall_limit * _WAVES_FACTOR)
-        repeated = execute(again, folder / first.id / "waves", stop, waves=True)
-        if repeated.status is Status.PASSED:
-            notes.append(f"{first.id}: did not fail again with waves; it depends on more than its seed")
-        dumps = sorted((folder / first.id / "waves").glob("runs/*/dump.*"))
-        where = str(dumps[0].relative_to(CACHE.parent)) if dumps else ""
-        filled.append(replace(bucket, waves=where))
-    return tuple(filled), tuple(notes)
+def _with_waves(found: Record, folder: Path, stop: threading.Event, progress: Progress) -> Record:
+    """The record with recorded signals of the first run of the first buckets; a note on each that passes now."""
+    by_id = {result.id: result for result in found.results}
+    firsts = [by_id[bucket.results[0]] for bucket in found.buckets]
+    chosen = [first for first in firsts if first.kind in _SIMULATE and first.status is not Status.NOT_RUN]
+
+    def again(first: Result) -> Result:
+        longer = replace(first, wall_limit=first.wall_limit * _WAVES_FACTOR)
+        return execute(longer, folder / first.id / "waves", stop, waves=True)
+
+    waves: dict[str, str] = {}
+    notes = []
+    with ThreadPoolExecutor(found.jobs) as pool:
+        for number, repeated in enumerate(pool.map(again, chosen[:_WITH_WAVES]), 1):
+            progress.recording(number, len(chosen[:_WITH_WAVES]))
+            dumps = sorted((sources.ROOT / repeated.folder).glob("runs/*/dump.*"))
+            waves[repeated.id] = str(dumps[0].relative_to(sources.ROOT)) if dumps else ""
+            if repeated.status is Status.PASSED:
+                notes.append(
+                    f"{repeated.id}: did not fail again with waves; it depends on more than its seed"
+                )
+    return replace(
+        found,
+        results=tuple(replace(one, waves=waves.get(one.id, "")) for one in found.results),
+        buckets=tuple(replace(one, waves=waves.get(one.results[0], "")) for one in found.buckets),
+        notes=tuple(notes),
+    )
 
 
 def _point_to(folder: Path) -> None:

@@ -43,13 +43,14 @@ _RETURN_CODE = re.compile(r"return code: (-?\d+)")
 class Outcome:
     """What one simulation did: tests by name with their failure text, or None where they passed.
 
-    simulated_ns: of each test; seconds: of the whole simulation; signal: that ended it, or 0; limit: a
-    sentence where the limit of simulated time stopped it.
+    module: the bench; simulated_ns: of each test; seconds: of the whole simulation; signal: that ended it,
+    or 0; limit: a sentence where the limit of simulated time stopped it.
     """
 
     directory: Path
     exit_ok: bool
     tests: Mapping[str, str | None]
+    module: str = ""
     simulated_ns: Mapping[str, float] = field(default_factory=dict)
     seconds: float = 0.0
     signal: int = 0
@@ -143,6 +144,7 @@ def run(
         directory,
         exit_ok=code == 0,
         tests={test: _failure(case) for test, case in cases.items()},
+        module=module,
         simulated_ns={test: _simulated(case) for test, case in cases.items()},
         seconds=time.monotonic() - start,
         signal=max(0, -code),

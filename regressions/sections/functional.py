@@ -1,0 +1,71 @@
+"""Functional coverage of all runs, bin by bin, and the curves that closure left."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+from regressions.outcome import RUNS
+from regressions.record import Bin, Curve, Point, Record, Unit
+from regressions.sections.notes import noted, older
+from verif.coverage import close, designs
+from verif.coverage.exclusions import ExclusionError, of_unit
+from verif.env.coverage import database
+
+By = dict[str, dict[str, int]]
+"""Hits by a bin's name and a result's id."""
+
+
+def added(record: Record, root: Path) -> Record:
+    """The record with functional coverage, of every design that has cover points."""
+    hits = _hits(record, root)
+    units, notes = [], []
+    for name in designs.names():
+        try:
+            units.append(_unit(name, hits.pop(name, {})))
+        except ExclusionError as error:
+            notes.append(str(error))
+    notes += [f"{name}: runs sampled it, and no design is called so" for name in hits]
+    closed = sorted(close.FOLDER.glob("*.json"))
+    notes += older(record, closed, "closure")
+    curves = tuple(curve for path in closed for curve in _curves(close.read(path)))
+    found = replace(record, coverage=tuple(unit for unit in units if unit.points), curves=curves)
+    return noted(found, notes)
+
+
+def _hits(record: Record, root: Path) -> dict[str, By]:
+    """By unit, bin and result."""
+    found: dict[str, By] = {}
+    for result in record.results:
+        for run in sorted((root / result.folder / RUNS).glob("*/")) if result.folder else ():
+            for unit, bins in database.merged(database.of_run(run)).items():
+                of_unit = found.setdefault(unit, {})
+                for name, number in bins.items():
+                    if number:
+                        by = of_unit.setdefault(name, {})
+                        by[result.id] = by.get(result.id, 0) + number
+    return found
+
+
+def _unit(name: str, hits: Mapping[str, Mapping[str, int]]) -> Unit:
+    """Raises ExclusionError where an exclusion is stale or was hit."""
+    design = designs.find(name)
+    bins = dict(design.coverage.bins())
+    excluded = {entry.what: entry.reason for entry in of_unit(design.exclusions, bins)}
+    for bin_name in sorted(excluded.keys() & hits.keys()):
+        raise ExclusionError(f"{design.exclusions}: {bin_name} was hit; take the exclusion out")
+    points = []
+    for point in design.coverage.points:
+        rows = []
+        for found in point.bins:
+            full = f"{point.name}.{found.name}"
+            by = hits.get(full, {})
+            reason = excluded.get(full, "")
+            rows.append(Bin(found.name, sum(by.values()), found.recipe.name, reason, by))
+        points.append(Point(point.name, point.doc, tuple(rows)))
+    return Unit(name, tuple(points))
+
+
+def _curves(closed: close.Closed) -> Iterator[Curve]:
+    for strategy, steps in (("closure", closed.directed), ("random", closed.undirected)):
+        if steps:
+            yield Curve(closed.unit, strategy, closed.bins, steps)
