@@ -134,8 +134,8 @@ def shadow(objects: Objects, colour: Vec3, length: float, own: int = MISS) -> tu
 def test_the_objects_on_the_way_to_a_light_are_counted() -> None:
     objects = objects_of(ball((0, 0, 0)), face(3 * ONE))
     ways = np.array([1, 4, 9]) * FMTS.point.one
-    rays = (np.repeat(column(vector), 3, axis=1) for vector in ((0, 0, 5 * ONE << SHIFT), DOWN))
-    _, met, _ = attenuate(objects, *rays, ways, np.full(3, MISS), np.full((3, 3), 4096), FMTS)
+    origin, down = (np.repeat(column(vector), 3, axis=1) for vector in ((0, 0, 5 * ONE << SHIFT), DOWN))
+    _, met, _ = attenuate(objects, origin, down, ways, np.full(3, MISS), np.full((3, 3), 4096), FMTS)
     assert met.tolist() == [0, 1, 2]
 
 
