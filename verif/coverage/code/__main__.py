@@ -1,6 +1,6 @@
 """Code coverage of the design by the benches.
 
-    python -m verif.coverage.code collect [--units sqrt,div] [--core] [--jobs 2]
+    python -m verif.coverage.code collect [--units sqrt,div] [--core] [--missing] [--jobs 2]
     python -m verif.coverage.code report [--holes sqrt|hdl/arith/sqrt.v ...] [--exclusions]
     python -m verif.coverage.code export [--lcov FILE] [--ucis FILE]
 
@@ -34,7 +34,8 @@ def _names(options: argparse.Namespace) -> list[str]:
             raise RequestError(f"--units {unit}: {error.args[0]}") from None
     if options.core:
         chosen += runs.of_core()
-    return chosen or list(runs.everything())
+    chosen = chosen or list(runs.everything())
+    return [name for name in chosen if not (options.missing and collect.current(name))]
 
 
 def _files(wanted: Sequence[str]) -> list[str]:
@@ -105,6 +106,9 @@ def _parser() -> argparse.ArgumentParser:
     collecting.add_argument("--units", help=f"only these, comma between: {', '.join(units.names())}")
     collecting.add_argument(
         "--core", action="store_true", help="only, or also, the benches of the whole core"
+    )
+    collecting.add_argument(
+        "--missing", action="store_true", help="only those not kept, or of a changed design"
     )
     collecting.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs at a time")
     reporting = commands.add_parser("report", help="show what was kept")

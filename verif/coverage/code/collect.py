@@ -44,6 +44,14 @@ def keep(name: str, coverage: points.CodeCoverage) -> None:
     fresh.rename(_file(name))
 
 
+def current(name: str) -> bool:
+    """Whether what a run hit is kept, and of the design as it is."""
+    if not _file(name).exists():
+        return False
+    kept = points.load(_file(name))
+    return kept.current() == kept
+
+
 def collect_one(name: str) -> Collected:
     """Runs and keeps; a run that fails keeps nothing."""
     start = time.monotonic()

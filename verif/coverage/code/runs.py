@@ -37,6 +37,7 @@ def _unit(unit: str, parameter_set: str, coverage: bool) -> Outcome:
         run_name=name,
         shrink=False,
         coverage=coverage,
+        functional=False,
     )
 
 
