@@ -19,7 +19,7 @@ JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 option = $(if $($(2)),$(1) '$($(2))')
 
 .DEFAULT_GOAL := help
-.PHONY: help setup render video test unit lint format bench book synth weigh close breaks header requirements clean
+.PHONY: help setup render video test unit lint format bench book synth weigh close breaks mutate header requirements clean
 
 help: ## lists the commands
 	@echo "Commands (make <command> [NAME=value ...]):"
@@ -80,6 +80,10 @@ close: $(READY) ## closes functional coverage, and compares with random: [UNIT=s
 
 breaks: $(READY) ## breaks the Verilog a line at a time and shows that the benches notice: [UNIT=sqrt] [SIM=icarus]
 	@$(BIN)/python -m verif.env.breaks $(UNIT) $(call option,--sim,SIM)
+
+mutate: $(READY) ## qualifies benches by mutation: UNIT=sqrt|core-control|all [MUTANTS=200] [SEED=n]
+	@test -n "$(UNIT)" || { echo "mutate needs UNIT=unit, core-control or all; units: $(UNITS)" >&2; exit 2; }
+	@$(BIN)/python -m verif.mutation $(UNIT) --jobs $(JOBS) $(call option,--mutants,MUTANTS) $(call option,--seed,SEED)
 
 header: $(READY) ## writes hdl/raytracer.vh and the tables of hdl/README.md from the tables in models/
 	@$(BIN)/python -m models.header

