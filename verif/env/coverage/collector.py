@@ -3,7 +3,7 @@
 Samples are kept until there are enough for one evaluation of all bins, for a property's examples are small.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import numpy as np
 
@@ -20,6 +20,7 @@ class Collector:
     """Hits of one unit's bins, and how they grew over the clocks.
 
     known: bins that other runs have hit; they count as hit in the curve, and nobody goes after them again.
+    pull: called before a flush, to add samples that are still somewhere else.
     """
 
     def __init__(self, coverage: Coverage, parameters: Parameters, known: Iterable[str] = ()) -> None:
@@ -31,6 +32,7 @@ class Collector:
         self._predicates = [(name, found.holds) for name, found in coverage.bins() if found.holds is not None]
         self._waiting: list[Samples] = []
         self._columns = 0
+        self.pull: Callable[[], None] = lambda: None
 
     def add(self, samples: Samples, clock: int) -> None:
         """Samples up to a clock, ``(n,)`` or ``(lanes, n)`` each."""
@@ -46,6 +48,7 @@ class Collector:
 
     def flush(self, clock: int) -> None:
         """Evaluates the samples that wait."""
+        self.pull()
         if self._waiting:
             samples = concatenate(self._waiting)
             self._waiting, self._columns = [], 0

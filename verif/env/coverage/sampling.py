@@ -1,6 +1,5 @@
 """Coverage inside the simulator: a collector for each test, whose counts are kept when the test ends."""
 
-from collections.abc import Callable
 from typing import Any
 
 import cocotb
@@ -22,31 +21,29 @@ def clock_number() -> int:
     return int(get_sim_time("ns")) // PERIOD_NS
 
 
-def collector(run: Context, coverage: Coverage, last: Callable[[], None] = lambda: None) -> Collector:
-    """A collector that writes its record into the run's folder when the test ends, however it ends.
-
-    last: called before that, for samples that are still somewhere else.
-    """
+def collector(run: Context, coverage: Coverage) -> Collector:
+    """A collector that writes its record into the run's folder when the test ends, however it ends."""
     made, start = Collector(coverage, run.parameters, run.known), clock_number()
     test = cocotb.task.current_task().get_name().removeprefix("Test ")
-    cocotb.start_soon(_until_the_end(made, run, test, start, last))
+    cocotb.start_soon(_until_the_end(made, run, test, start))
     return made
 
 
-async def _until_the_end(
-    made: Collector, run: Context, test: str, start: int, last: Callable[[], None]
-) -> None:
+async def _until_the_end(made: Collector, run: Context, test: str, start: int) -> None:
     try:
         await Event().wait()
     finally:  # cocotb cancels all tasks of a test when it ends
-        last()
         end = clock_number()
         made.flush(end)
         made.record(run.unit, run.parameter_set, test, end - start).write(run.directory)
 
 
 class Signals:
-    """Reads signals of a design by their names below the top, once a clock, and passes them on in bulk."""
+    """Reads signals of a design by their names below the top, once a clock, and passes them on in bulk.
+
+    Until a design is reset its state is of chance: where `rst` is among the signals, sampling begins behind
+    its first clock.
+    """
 
     _ENOUGH = 1024
 
@@ -54,10 +51,17 @@ class Signals:
         self._handles = [_find(dut, name) for name in coverage.signals]
         self._names = coverage.signals
         self._rows: list[list[int]] = []
-        self.collector = collector(run, coverage, self._pass_on)
+        self._of_chance = "rst" in coverage.signals
+        self.collector = collector(run, coverage)
+        self.collector.pull = self._pass_on
 
     def sample(self) -> None:
         """To be called once a clock, where outputs have settled."""
+        if not self._handles:
+            return
+        if self._of_chance:
+            self._of_chance = _number(self._handles[self._names.index("rst")]) != 1
+            return
         self._rows.append([_number(handle) for handle in self._handles])
         if len(self._rows) >= self._ENOUGH:
             self._pass_on()
