@@ -37,14 +37,19 @@ def _lengths(name: str, doc: str, recipe: Recipe) -> Point:
 
 
 _RESET = told("reset", "what was under way", {"busy": RESET_BUSY, "idle": RESET_IDLE})
+_RESET_OF_NOTHING = told("reset", "what was under way", {"idle": RESET_IDLE})
 _IDLE = _lengths(IDLE, "clocks without an operand", Recipe(IDLES))
 _STALL = _lengths(STALL, "clocks that a result waits", Recipe(STALLS))
 
 
 def flow(unit: Unit) -> tuple[Point, ...]:
-    """The points of a unit's kind; none of a block, whose ports are its own."""
+    """The points of a unit's kind; none of a block, whose ports are its own.
+
+    In a unit that is combinational nothing is ever under way.
+    """
     if isinstance(unit, PipelinedUnit):
-        return (_IDLE, _RESET)
+        latencies = [unit.latency(parameters) for parameters in unit.parameter_sets().values()]
+        return (_IDLE, _RESET if any(latencies) else _RESET_OF_NOTHING)
     return (_IDLE, _STALL, _RESET) if isinstance(unit, StreamUnit) else ()
 
 

@@ -1,6 +1,6 @@
 """What must have been seen of a square root: radicands of every class, remainders at their limits."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 from numpy.random import Generator
@@ -27,13 +27,27 @@ def _square_plus(offset: int, *, twice: bool = False) -> Shape:
     return shape
 
 
-def _remainder(case: Callable[[Raw, Raw], Raw]) -> Holds:
-    """Of remainder and the most that it can be, where that is no other case too."""
+RootAndRest = Callable[[Parameters, Samples], tuple[Raw, Raw]]
+"""A root, and what it leaves of its radicand."""
 
-    def holds(_p: Parameters, s: Samples) -> NDArray[np.bool_]:
-        return np.asarray((s["remainder"] == case(s["root"], 2 * s["root"])) & (s["root"] > 1))
 
-    return holds
+def remainder_cases(taken: RootAndRest) -> Mapping[str, Holds]:
+    """The remainder at its limits 0 and twice the root, beside them, and between: no case is another one."""
+
+    def case(wanted: Callable[[Raw], Raw]) -> Holds:
+        def holds(p: Parameters, s: Samples) -> NDArray[np.bool_]:
+            root, rest = taken(p, s)
+            return np.asarray((rest == wanted(root)) & (root > 1))
+
+        return holds
+
+    return {
+        "zero": case(lambda root: 0 * root),
+        "one": case(lambda root: 0 * root + 1),
+        "half": case(lambda root: root),
+        "just_below_twice_the_root": case(lambda root: 2 * root - 1),
+        "twice_the_root": case(lambda root: 2 * root),
+    }
 
 
 def _half(p: Parameters, generator: Generator, operands: Operands) -> Operands:
@@ -42,23 +56,20 @@ def _half(p: Parameters, generator: Generator, operands: Operands) -> Operands:
     return {"radicand": squares + root}
 
 
+_RADICANDS = {
+    "zero": Recipe("perfect squares", _square_plus(0)),
+    "one": Recipe("squares and one", _square_plus(1)),
+    "half": Recipe("squares and their roots", _half),
+    "just_below_twice_the_root": Recipe("two below the next square", _square_plus(-1, twice=True)),
+    "twice_the_root": Recipe("one below the next square", _square_plus(0, twice=True)),
+}
+
 REMAINDER = Point(
     "remainder",
     "what the root leaves, of 0 to twice the root",
-    (
-        Bin("zero", Recipe("perfect squares", _square_plus(0)), _remainder(lambda root, _most: 0 * root)),
-        Bin("one", Recipe("squares and one", _square_plus(1)), _remainder(lambda root, _most: 0 * root + 1)),
-        Bin("half", Recipe("squares and their roots", _half), _remainder(lambda root, _most: root)),
-        Bin(
-            "just_below_twice_the_root",
-            Recipe("two below the next square", _square_plus(-1, twice=True)),
-            _remainder(lambda _root, most: most - 1),
-        ),
-        Bin(
-            "twice_the_root",
-            Recipe("one below the next square", _square_plus(0, twice=True)),
-            _remainder(lambda _root, most: most),
-        ),
+    tuple(
+        Bin(name, _RADICANDS[name], holds)
+        for name, holds in remainder_cases(lambda _p, s: (s["root"], s["remainder"])).items()
     ),
 )
 
