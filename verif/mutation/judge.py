@@ -82,7 +82,7 @@ def judge(
     build.
     """
     module = bench or f"verif.units.{unit.name}.bench"
-    name = f"mutation-{unit.name}"
+    name = f"mutation-{mutated.folder.name}"
     chosen = [one for one in mutated.mutants if only is None or one.number in only]
     directory = CACHE / "runs" / name
     with _followed(directory / protocol.JUDGED, progress):

@@ -81,7 +81,7 @@ def make(unit: Unit, parameter_set: str, wanted: int, seed: int) -> Netlist:
     """The netlist with about ``wanted`` mutants, fewer only where there are no more places. Raises
     NetlistError."""
     build = units.build(unit, Simulator.VERILATOR, unit.parameter_sets()[parameter_set])
-    folder = FOLDER / "work" / unit.name
+    folder = FOLDER / "work" / f"{unit.name}-{parameter_set}-{wanted}-{seed}"
     folder.mkdir(parents=True, exist_ok=True)
     yosys(folder, "list", _elaborate(build, folder) + _listing(unit, folder, wanted, seed))
     lines = [line for line in (folder / "list.txt").read_text().splitlines() if _usable(line)][:wanted]

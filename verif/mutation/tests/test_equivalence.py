@@ -1,0 +1,109 @@
+"""The solver on designs of a few gates, whose mutants are equivalent or not by construction."""
+
+from itertools import count
+
+from verif.mutation.aig import Bit, Design
+from verif.mutation.equivalence import Solver
+from verif.mutation.netlist import SELECT
+from verif.mutation.record import Judged, Mutant, Result, Status, Verdict
+
+_MUTANT = Mutant(1, "inv", "A[0]", "hdl/flow/fifo.v:1", "")
+
+
+class _Builder:
+    """Collects gates. Inputs are mutsel, rst, a and b, in this order."""
+
+    def __init__(self, latches: int = 0) -> None:
+        names = (SELECT, "rst", "a", "b")
+        self._names: tuple[Bit, ...] = tuple((name, 0) for name in names)
+        self.select, self.rst, self.a, self.b = (2 * number for number in range(1, 5))
+        self.latch = [2 * (5 + number) for number in range(latches)]
+        self._first = count(5 + latches)
+        self._gates: list[tuple[int, int]] = []
+
+    def both(self, left: int, right: int) -> int:
+        """A gate."""
+        self._gates.append((left, right))
+        return 2 * next(self._first)
+
+    def either(self, left: int, right: int) -> int:
+        """Or."""
+        return self.both(left ^ 1, right ^ 1) ^ 1
+
+    def differ(self, left: int, right: int) -> int:
+        """Exclusive or."""
+        return self.both(self.either(left, right), self.both(left, right) ^ 1)
+
+    def design(self, out: int, *after: int) -> Design:
+        """What was built, with one output."""
+        return Design(self._names, after, {("out", 0): out}, tuple(self._gates))
+
+
+def test_a_gate_that_nothing_needs_is_proven_equivalent() -> None:
+    it = _Builder()
+    out = it.both(it.a, it.either(it.a, it.both(it.b, it.select)))
+    assert Solver(it.design(out)).decide(1).verdict is Verdict.EQUIVALENT
+
+
+def test_a_visible_mutant_is_shown_with_the_operand_that_shows_it() -> None:
+    it = _Builder()
+    out = it.differ(it.a, it.both(it.b, it.select))
+    found = Solver(it.design(out)).decide(1)
+    assert found.verdict is Verdict.SHOWN
+    assert found.witness[-1]["b"] == 1
+
+
+def test_a_visible_mutant_behind_registers_is_shown_by_a_trace_from_reset() -> None:
+    it = _Builder(latches=2)
+    first, second = it.latch
+    out = it.design(second, it.differ(it.a, it.select), first)
+    found = Solver(out).decide(1)
+    assert found.verdict is Verdict.SHOWN
+    assert [clock["rst"] for clock in found.witness[:2]] == [1, 1]
+
+
+def test_a_difference_that_no_output_sees_is_proven_equivalent() -> None:
+    it = _Builder(latches=1)
+    hidden = it.both(it.latch[0], it.both(it.a, it.a ^ 1))
+    assert Solver(it.design(it.differ(it.b, hidden), it.select)).decide(1).verdict is Verdict.EQUIVALENT
+
+
+def test_two_registers_that_always_agree_are_found_by_induction() -> None:
+    it = _Builder(latches=2)
+    one, other = it.latch
+    chosen = it.either(it.both(one, it.select ^ 1), it.both(other, it.select))
+    after = it.both(it.differ(one, it.a), it.rst ^ 1)
+    after_other = it.both(it.differ(chosen, it.a), it.rst ^ 1)
+    assert Solver(it.design(one, after, after_other)).decide(1).verdict is Verdict.EQUIVALENT
+
+
+def test_feedback_that_differs_is_shown() -> None:
+    it = _Builder(latches=1)
+    after = it.both(it.differ(it.latch[0], it.either(it.a, it.select)), it.rst ^ 1)
+    assert Solver(it.design(it.latch[0], after)).decide(1).verdict is Verdict.SHOWN
+
+
+def test_without_an_answer_a_mutant_is_undecided() -> None:
+    it = _Builder()
+    out = it.both(it.a, it.either(it.b, it.both(it.both(it.a, it.b), it.select)))
+    assert Solver(it.design(out)).decide(1).verdict is Verdict.EQUIVALENT
+    assert Solver(it.design(out), seconds=1e-9).decide(1).verdict is Verdict.UNDECIDED
+
+
+def test_of_two_clocks_only_what_holds_in_every_state_is_proven() -> None:
+    it = _Builder(latches=1)
+    design = it.design(it.latch[0], it.differ(it.a, it.select))
+    two = Design(
+        (*design.inputs[:2], ("clk", 0), ("pixel_clk", 0)), design.next, design.outputs, design.gates
+    )
+    assert Solver(two).decide(1).verdict is Verdict.UNDECIDED
+
+
+def test_an_undecided_mutant_counts_against_the_score() -> None:
+    killed = Judged(_MUTANT, Status.KILLED)
+    undecided = Judged(_MUTANT, Status.SURVIVED, verdict=Verdict.UNDECIDED)
+    equivalent = Judged(_MUTANT, Status.SURVIVED, verdict=Verdict.EQUIVALENT)
+    result = Result("fifo", "default", (killed, killed, killed, undecided, equivalent), 0.0)
+    assert result.score == 3 / 4
+    assert result.undecided == 1 / 5
+    assert result.survivors == (undecided,)
