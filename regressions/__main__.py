@@ -143,7 +143,8 @@ def _regress(order: Order) -> int:
 def _last_words(found: Record, folder: Path) -> list[str]:
     counts = ", ".join(f"{n} {status.replace('_', ' ')}" for status, n in found.counts().items() if n)
     failures = [f"{len(bucket.results)} x {bucket.message}\n    {bucket.command}" for bucket in found.buckets]
-    return [*failures, f"{found.list}: {counts} in {found.seconds:.0f} s; {folder / 'summary.md'}"]
+    notes = [f"note: {note}" for note in found.notes]
+    return [*failures, *notes, f"{found.list}: {counts} in {found.seconds:.0f} s; {folder / 'summary.md'}"]
 
 
 def main(arguments: Sequence[str]) -> int:

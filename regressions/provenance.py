@@ -32,7 +32,7 @@ def dirty() -> bool:
 
 def _simulator(simulator: Simulator) -> str:
     try:
-        return version(simulator)
+        return version(simulator).removeprefix(f"{simulator} ")
     except MissingTool:
         return "not installed"
 

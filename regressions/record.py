@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
 
-from regressions.json_form import FormError, decode, encode
+from regressions.json_form import FormError, decode, dumps
 from verif.plan.join import Standing
 
 SCHEMA = 1
@@ -259,7 +259,7 @@ def write(record: Record, path: Path) -> None:
     """Writes the record as JSON, whole or not at all."""
     path.parent.mkdir(parents=True, exist_ok=True)
     fresh = path.with_name(f".{path.name}.new")
-    fresh.write_text(json.dumps({"schema": SCHEMA, **encode(record)}, separators=(",", ":")) + "\n")
+    fresh.write_text(dumps(record, schema=SCHEMA) + "\n")
     fresh.replace(path)
 
 

@@ -4,7 +4,6 @@ import datetime
 import os
 import threading
 import time
-from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -111,7 +110,7 @@ def _results(order: Order, folder: Path, stop: threading.Event, progress: Progre
 
 
 def _with_waves(found: Record, folder: Path, stop: threading.Event, progress: Progress) -> Record:
-    """The record with recorded signals of the first run of the first buckets; a note on each that passes now."""
+    """The record with all signals of the first run of the first buckets; a note on each that passes now."""
     by_id = {result.id: result for result in found.results}
     firsts = [by_id[bucket.results[0]] for bucket in found.buckets]
     chosen = [first for first in firsts if first.kind in _SIMULATE and first.status is not Status.NOT_RUN]

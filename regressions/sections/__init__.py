@@ -5,6 +5,7 @@ from pathlib import Path
 
 from regressions.record import Record
 from regressions.sections import code, functional, mutation, plan
+from regressions.sections.notes import noted
 
 Section = Callable[[Record, Path], Record]
 
@@ -13,7 +14,13 @@ _SECTIONS: tuple[Section, ...] = (functional.added, code.added, mutation.added, 
 
 
 def added(record: Record, root: Path) -> Record:
-    """The record with all that its runs left below ``root``, the project's."""
+    """The record with all that its runs left below ``root``, the project's.
+
+    A section that cannot be made is a note: what ran all night is not lost for it.
+    """
     for section in _SECTIONS:
-        record = section(record, root)
+        try:
+            record = section(record, root)
+        except Exception as error:
+            record = noted(record, [f"{section.__module__} cannot be made: {error!r}"])
     return record

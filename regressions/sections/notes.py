@@ -17,4 +17,4 @@ def older(record: Record, paths: Iterable[Path], what: str) -> list[str]:
     """A note where files were written before the regression began: they are of the tree as it was then."""
     start = datetime.datetime.fromisoformat(record.started).timestamp()
     old = sorted(path.stem for path in paths if path.stat().st_mtime < start)
-    return [f"{what} was measured before this regression of {', '.join(old)}"] if old else []
+    return [f"{what} of {len(old)} was measured before this regression, as of {old[0]}"] if old else []
