@@ -10,18 +10,25 @@ the mutation does not touch; a SAT solver looks for outputs that differ. Proofs,
   the last d clocks only: d clocks from any state of the rest, and all clocks up to it from reset, decide.
 * Otherwise k-induction: outputs that were the same for k clocks are the same in the next one.
 
+Each is tried from every state, then from those alone that `verif.mutation.invariants` does not exclude.
+
 A trace from reset after which outputs differ shows the mutant. It obeys no protocol of the inputs: whether it
 is legal is for a person to say. The solver knows one clock, so mutants of clock inputs are never made.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TypeVar
 
+from verif.mutation import invariants
 from verif.mutation.aig import FALSE, TRUE, Design, Graph, Run
+from verif.mutation.invariants import Clause, clause_literal
 from verif.mutation.netlist import SELECT
 from verif.mutation.record import Clock, Verdict
 from verif.mutation.sat import Answer, Solution, any_of
+
+_Key = TypeVar("_Key")
 
 _RESET_CLOCKS = 2
 _DEEPEST = 160
@@ -53,7 +60,8 @@ class _Pair:
     def __post_init__(self) -> None:
         self.graph = Graph()
         self._inputs: dict[tuple[int, int], int] = {}
-        self._states: dict[tuple[int, int], int] = {}
+        self._common: dict[int, int] = {}
+        self._apart: dict[tuple[int, int], int] = {}
         self.unit = self._run(0)
         self.changed = self._run(self.mutant)
 
@@ -67,14 +75,20 @@ class _Pair:
             return self._free(self._inputs, (position, clock))
 
         def state(latch: int) -> int:
-            return self._free(self._states, (latch, selected if latch in self.loose else 0))
+            if selected and latch in self.loose:
+                return self._free(self._apart, (latch, selected))
+            return self._free(self._common, latch)
 
         return Run(self.design, self.graph, given, state)
 
-    def _free(self, known: dict[tuple[int, int], int], key: tuple[int, int]) -> int:
+    def _free(self, known: dict[_Key, int], key: _Key) -> int:
         if key not in known:
             known[key] = self.graph.leaf()
         return known[key]
+
+    def reached(self, clauses: Sequence[Clause]) -> list[int]:
+        """Literals that say that the unit's state at clock 0 breaks none of these."""
+        return [clause_literal(self.graph, clause, self._common) for clause in clauses]
 
     def outputs(self, clock: int) -> list[int]:
         """Literals, one an output bit that may differ."""
@@ -118,21 +132,29 @@ class Solver:
 
     def decide(self, mutant: int) -> Decision:
         """The verdict on one mutant."""
-        touched = self._by_induction(mutant)
+        touched = self._by_induction(mutant, ())
         if isinstance(touched, Decision):
             return touched
+        if self._never and isinstance(proof := self._by_induction(mutant, self._never), Decision):
+            return proof
         if self._clocks > 1:
             return Decision(Verdict.UNDECIDED, "the solver knows one clock, the unit has two")
         depth = self._depth(touched)
         if depth is not None:
-            return self._without_feedback(mutant, touched, depth)
+            found = self._without_feedback(mutant, touched, depth)
+            if found.verdict is not Verdict.UNDECIDED:
+                return found
         return self._with_feedback(mutant, touched)
+
+    @cached_property
+    def _never(self) -> tuple[Clause, ...]:
+        return invariants.find(self.design, self.seconds)
 
     @cached_property
     def _latches(self) -> range:
         return range(self.design.first_latch, self.design.first_gate)
 
-    def _by_induction(self, mutant: int) -> Decision | frozenset[int]:
+    def _by_induction(self, mutant: int, never: Sequence[Clause]) -> Decision | frozenset[int]:
         """A proof, or the latches that may differ after one clock from the same state."""
         loose: frozenset[int] = frozenset()
         first: frozenset[int] | None = None
@@ -141,24 +163,27 @@ class Solver:
             apart = dict(pair.states(self._latches))
             if first is None:
                 first = frozenset(apart)
-            if any_of(pair.graph, pair.outputs(0), self.seconds).answer is not Answer.NO:
+            reached = pair.reached(never)
+            if any_of(pair.graph, pair.outputs(0), self.seconds, reached).answer is not Answer.NO:
                 return first
-            grown = self._that_differ(pair, {latch: it for latch, it in apart.items() if latch not in loose})
+            new = {latch: literal for latch, literal in apart.items() if latch not in loose}
+            grown = self._that_differ(pair, new, reached)
             if grown is None:
                 return first
             if not grown:
-                why = (
-                    "the same from every state that both have" if not loose else "what differs is never seen"
-                )
+                why = "what differs is never seen" if loose else "the same from every state"
+                why += " that is reached" if never else ""
                 return Decision(Verdict.EQUIVALENT, why)
             loose |= grown
 
-    def _that_differ(self, pair: _Pair, apart: dict[int, int]) -> frozenset[int] | None:
+    def _that_differ(
+        self, pair: _Pair, apart: dict[int, int], reached: Sequence[int]
+    ) -> frozenset[int] | None:
         """Those of the latches that some input and state make differ; None where the solver cannot say."""
         found: set[int] = set()
         while True:
             left = {latch: literal for latch, literal in apart.items() if latch not in found}
-            solution = any_of(pair.graph, list(left.values()), self.seconds)
+            solution = any_of(pair.graph, list(left.values()), self.seconds, reached)
             if solution.answer is Answer.UNKNOWN:
                 return None
             more = {
@@ -201,7 +226,8 @@ class Solver:
             return found
         if found is Answer.NO:
             pair = _Pair(self.design, mutant, self._all_behind(touched))
-            if any_of(pair.graph, pair.outputs(depth), self.seconds).answer is Answer.NO:
+            reached = pair.reached(self._never)
+            if any_of(pair.graph, pair.outputs(depth), self.seconds, reached).answer is Answer.NO:
                 return Decision(Verdict.EQUIVALENT, f"no feedback, the same in {depth} clocks")
         return Decision(Verdict.UNDECIDED, f"no answer over {depth} clocks")
 
@@ -226,4 +252,5 @@ class Solver:
         ones."""
         pair = _Pair(self.design, mutant, loose)
         same = [literal ^ 1 for clock in range(length) for literal in pair.outputs(clock)]
+        same += pair.reached(self._never)
         return any_of(pair.graph, pair.outputs(length), self.seconds, same).answer is Answer.NO
