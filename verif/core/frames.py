@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from models.core import Registers
 from models.scene.types import Scene
 from verif.core.driver import CoreDriver
+from verif.core.job import LARGEST
 from verif.core.setting import Setting
 from verif.core.strategies import Shot, depths
 from verif.env.block import holds, same
@@ -100,6 +101,17 @@ async def size_and_view_hold_from_the_first_frame_until_reset(dut: Any) -> None:
     setting.same_picture(shot, await setting.draw(shot))
     await core.reset(other)
     setting.same_picture(changed, await setting.draw(changed))
+
+
+@cocotb.test()
+async def pictures_of_the_largest_sides_are_exact(dut: Any) -> None:
+    """One row of as many columns as there can be, and one column of as many rows."""
+    setting = Setting.of(dut)
+    scene = (await setting.example(4, 3)).scene
+    for width, height in ((LARGEST, 1), (1, LARGEST)):
+        shot = Shot(scene, Registers(width, height, 30000, 30000, depth=1), None)
+        await setting.core.reset(shot.registers)
+        setting.same_picture(shot, await setting.draw(shot))
 
 
 @cocotb.test()
