@@ -48,9 +48,13 @@ def _imported(file: Path) -> ModuleType:
 
 
 def cocotb_tests(root: Path = ROOT) -> Iterator[NamedTest]:
-    """Those of every bench. Benches make tests at import, so they are imported; that needs no simulator."""
+    """Those of every bench. Benches make tests at import, so they are imported; that needs no simulator.
+
+    What stands in a folder `tests` is part of a test of pytest, made up for it.
+    """
     for path in sorted((root / "verif").rglob("*.py")):
-        if path.name.startswith("test_") or not any(mark in path.read_text() for mark in _BENCH_MARKS):
+        of_pytest = path.name.startswith("test_") or path.parent.name == "tests"
+        if of_pytest or not any(mark in path.read_text() for mark in _BENCH_MARKS):
             continue
         module = _imported(path.relative_to(root))
         for found in vars(module).values():
