@@ -1,4 +1,4 @@
-"""A design that looks at an input while its valid is low is caught, be it at one value in a million millions."""
+"""A design that looks at an input while its valid is low is caught, be it at one value in a million."""
 
 import pytest
 

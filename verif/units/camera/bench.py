@@ -17,10 +17,11 @@ from models.latency import LATENCY
 from models.limits import Fault
 from models.scene.strategies import cameras, raws, undrawable_cameras
 from models.scene.types import Camera, Vec3
-from verif.env import context
+from verif.env import context, resets
 from verif.env.block import Block, holds, same
 from verif.env.fields import Field
 from verif.env.operands import from_rows
+from verif.env.resets import Reference
 
 _SIZE_W = 12
 _LARGEST = (1 << _SIZE_W) - 1
@@ -261,3 +262,23 @@ async def reset_in_any_state_leaves_nothing_behind(dut: Any) -> None:
         await bench.run(after, size)
 
     await holds(context.read(), example, cameras(), st.integers(0, _LATENCY), _any_camera(), _sizes(), cost=2)
+
+
+@cocotb.test()
+async def reset_in_each_clock_of_each_state_leaves_nothing_behind(dut: Any) -> None:
+    """Of a whole set-up; the next one, of another camera, is exact and on time."""
+    bench = await CameraBench.create(dut)
+    size = Registers(3, 2, _FORMATS.tan.one, _FORMATS.tan.one)
+    before = Camera((1000, -2000, 3000), (10, 900, -20), (-5, 6, 7))
+    after = Camera((-400, 5000, 60), (0, 300, 1000), (8, -9, 10))
+
+    async def start() -> None:
+        await bench.reset()
+        await bench.start(before, size)
+
+    async def behind() -> None:
+        await bench.reset(1)
+        await bench.run(after, size)
+
+    run = Reference(start, bench.clock, _LATENCY + 1, behind)
+    await resets.at_every_clock(bench.log, run, dut.u_camera.state_reg, "scene/camera.v")

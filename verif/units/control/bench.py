@@ -1,16 +1,17 @@
 """Tests of the control: blocks of drawn speed and drawn faults around it, and what each frame must bring."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import cocotb
 from hypothesis import strategies as st
 
 from models.limits import Fault
-from verif.env import context
+from verif.env import context, resets
 from verif.env.block import Block, holds, same
 from verif.env.pipelined import Mismatch
+from verif.env.resets import Reference
 
 _LOAD_FAULTS = (Fault.FRAME_SHORT, Fault.FRAME_LONG, Fault.CAPACITY, Fault.KIND, Fault.RADIUS)
 _CAMERA_FAULTS = (Fault.SIZE, Fault.CAMERA_POSITION, Fault.CAMERA_UP)
@@ -28,6 +29,9 @@ _OUTPUTS = (
 )
 Going = tuple[bool, ...]
 """Clocks of the input `go`, repeated."""
+
+_SCATTER = 2_654_435_761
+"""Odd, and large: multiples of it scatter over all bits."""
 
 _OVERHEAD = 12
 """Clocks of a frame beside the work of the blocks, at most."""
@@ -142,13 +146,15 @@ class ControlBench(Block):
         blocks.drawable |= blocks.ready.tick()
         go = self._going[self._ticks % len(self._going)]
         self._ticks += 1
+        # Without its done a fault says nothing, and a done of a block that is not at work is nobody's.
+        stray = self._ticks * _SCATTER >> 8
         await self.clock(
             load_done=int(load_done),
-            load_fault=int(load_fault),
-            camera_done=int(camera_done),
-            camera_fault=int(camera_fault),
-            object_done=int(object_done),
-            draw_done=int(draw_done),
+            load_fault=int(load_fault) if load_done else stray & 15,
+            camera_done=int(camera_done or (blocks.camera.left < 0 and stray >> 4 & 1)),
+            camera_fault=int(camera_fault) if camera_done else stray >> 5 & 15,
+            object_done=int(object_done or (blocks.object.left < 0 and stray >> 9 & 1)),
+            draw_done=int(draw_done or (blocks.draw.left < 0 and stray >> 10 & 1)),
             go=int(go),
             draw_ready=int(blocks.drawable),
         )
@@ -369,3 +375,21 @@ async def a_frame_waits_for_go(dut: Any) -> None:
         drawn += job.events()
         same("events after go", drawn, bench.events)
     same("load_ready at rest", 1, bench.read("load_ready"))
+
+
+@cocotb.test()
+async def reset_in_each_clock_of_each_state_leaves_a_control_as_new(dut: Any) -> None:
+    """Of a good frame and one behind it whose camera is refused; the next ones are whole."""
+    bench = await ControlBench.create(dut)
+    refused = replace(_a_good_job(), camera_fault=Fault.CAMERA_UP)
+    jobs, after = [_a_good_job(), refused], [_a_good_job(load=3, draw=4), refused]
+
+    async def start() -> None:
+        await bench.restart(jobs)
+
+    async def behind() -> None:
+        await bench.restart(after)
+        await bench.run(after)
+
+    run = Reference(start, bench.step, sum(job.clocks for job in jobs), behind)
+    await resets.at_every_clock(bench.log, run, dut.state_reg, "control.v")

@@ -5,6 +5,11 @@ from verif.env.unit import Break, Unit
 UNIT = Unit(
     name="control",
     breaks=(
+        Break(
+            "control.v",
+            "if (rst) state_reg <= S_IDLE;",
+            "if (rst && state_reg != S_START_OBJECT) state_reg <= S_IDLE;",
+        ),
         Break("control.v", "if (rst || swap) waiting_reg <= 1'b0;", "if (rst) waiting_reg <= 1'b0;"),
         Break(
             "control.v",

@@ -12,10 +12,11 @@ from models.limits import RECORD_SLOTS, SPHERE_SLOTS, Fault, Record
 from models.scene.frame import Capacity, CounterWidths, check, pack
 from models.scene.strategies import scenes
 from models.scene.types import Camera, Light, Material, Scene, Sphere, Triangle
-from verif.env import context
+from verif.env import context, resets
 from verif.env.block import Block, holds, same
 from verif.env.fields import Field
 from verif.env.pipelined import Mismatch
+from verif.env.resets import Reference
 from verif.env.streams import Stream
 
 _SLOT_W = formats(Knobs()).coord.width
@@ -315,23 +316,54 @@ async def reset_in_the_middle_of_a_frame_forgets_it(dut: Any) -> None:
     await holds(run, example, _any_frame(bench), st.integers(0, 200), _whole(bench), _IDLES, cost=4)
 
 
+def _frame_of(number: Capacity) -> Scene:
+    """So many objects of each kind, all alike."""
+    sphere = Sphere(Material((1, 2, 3), (4, 5, 6), (7, 8, 9)), (10, 11, 12), 13)
+    triangle = Triangle(sphere.material, ((1, 2, 3), (4, 5, 6), (7, 8, 9)))
+    return Scene(
+        camera=Camera((1, 2, 3), (4, 5, 6), (7, 8, 9)),
+        lights=(Light((1, 2, 3), (4, 5, 6)),) * number.lights,
+        spheres=(sphere,) * number.spheres,
+        triangles=(triangle,) * number.triangles,
+        ambient=(1, 2, 3),
+        background=(4, 5, 6),
+    )
+
+
+def _fields(scene: Scene) -> int:
+    """Fields of a frame."""
+    return 3 + sum(len(entry.slots) for entry in entries(scene))
+
+
 @cocotb.test()
 async def rate_is_one_field_a_clock(dut: Any) -> None:
     """The largest frame, its words without a gap: hardly more clocks than fields."""
     bench, _ = await _bench(dut)
-    sphere = Sphere(Material((1, 2, 3), (4, 5, 6), (7, 8, 9)), (10, 11, 12), 13)
-    triangle = Triangle(sphere.material, ((1, 2, 3), (4, 5, 6), (7, 8, 9)))
-    most = bench.capacity
-    scene = Scene(
-        camera=Camera((1, 2, 3), (4, 5, 6), (7, 8, 9)),
-        lights=(Light((1, 2, 3), (4, 5, 6)),) * most.lights,
-        spheres=(sphere,) * most.spheres,
-        triangles=(triangle,) * most.triangles,
-        ambient=(1, 2, 3),
-        background=(4, 5, 6),
-    )
+    scene = _frame_of(bench.capacity)
     before = bench.now
     await bench.load(pack(scene, bench.counters).words, [], 0, scene)
-    fields = 3 + sum(len(entry.slots) for entry in entries(scene))
-    behind = 3
+    fields, behind = _fields(scene), 3
     assert bench.now - before <= fields + behind + 6, f"{bench.now - before} clocks for {fields} fields"
+
+
+@cocotb.test()
+async def reset_in_each_clock_of_each_section_forgets_the_frame(dut: Any) -> None:
+    """Of a frame of every kind of record that is too long, and so drained; the next one is exact."""
+    bench, _ = await _bench(dut)
+    triangles = min(1, bench.capacity.triangles)
+    scene = _frame_of(Capacity(1, 1, triangles))
+    words, surplus = pack(scene, bench.counters).words, (1, 2, 3, 4)
+
+    async def start() -> None:
+        await bench.restart()
+        bench.send((*words, *surplus), ())
+        bench.set(next_ready=1)
+
+    async def behind() -> None:
+        bench.set(next_ready=0)
+        await bench.restart()
+        await bench.load(words, (), 1, scene)
+
+    run = Reference(start, bench.step, _fields(scene) + len(surplus) + 6, behind)
+    unreachable = () if triangles else ("S_TRIANGLE",)
+    await resets.at_every_clock(bench.log, run, dut.section_reg, "scene/loader.v", unreachable)

@@ -23,9 +23,10 @@ from models.latency import LATENCY
 from models.limits import RECORD_SLOTS, SPHERE_SLOTS
 from models.scene.strategies import materials, spheres, triangles, vectors
 from models.scene.types import BLACK, Material, Sphere, Triangle, Vec3
-from verif.env import context
+from verif.env import context, resets
 from verif.env.block import Block, holds, same
 from verif.env.fields import Field, split
+from verif.env.resets import Reference
 
 _FORMATS = formats(Knobs())
 _SLOT_W = _FORMATS.coord.width
@@ -460,3 +461,27 @@ async def reset_abandons_a_set_up_and_the_next_one_is_exact(dut: Any) -> None:
 
     frames = _frames(bench.most)
     await holds(context.read(), example, frames, st.integers(0, 150), st.integers(0, 80), frames, cost=2)
+
+
+@cocotb.test()
+async def reset_in_each_clock_of_each_state_abandons_the_set_up(dut: Any) -> None:
+    """Of a sphere and a triangle; the set-up behind it, of others, is exact and on time."""
+    bench = await ObjectSetupBench.create(dut)
+    some = Material((3, 2, 1), BLACK, BLACK, index=4)
+    before = Frame(
+        (7, 8, 9), (Sphere(some, (1, 2, 3), 5),), (Triangle(some, ((0, 0, 0), (9, 1, 0), (0, 8, 2))),), 3
+    )
+    after = Frame(
+        (1, 2, 3), (Sphere(some, (4, 0, 1), 9),), (Triangle(some, ((5, 0, 0), (0, 7, 1), (3, 0, 2))),), 2
+    )
+
+    async def start() -> None:
+        await bench.restart()
+        await bench.start(before)
+
+    async def behind() -> None:
+        await bench.restart()
+        await bench.run(after)
+
+    run = Reference(start, bench.step, before.clocks + 2, behind)
+    await resets.at_every_clock(bench.log, run, dut.state_reg, "scene/object_setup.v")

@@ -9,6 +9,9 @@ UNIT = Unit(
     parameters={"SPHERE_INDEX_W": 2, "TRIANGLE_INDEX_W": 4, "OBJECT_W": 5, "WIDE_W": 41},
     sets={"wide": {"SPHERE_INDEX_W": 8, "TRIANGLE_INDEX_W": 3, "OBJECT_W": 9, "WIDE_W": 50}},
     breaks=(
+        Break(
+            _FILE, "if (rst) state_reg <= S_IDLE;", "if (rst && state_reg != S_START) state_reg <= S_IDLE;"
+        ),
         Break(_FILE, "<= radius * radius;", "<= radius * (radius - 1'b1);"),
         Break(_FILE, ".OUT_SIGNED(0)", ".OUT_SIGNED(1)"),
         Break(_FILE, "4'd3: {first, second} = {2'd2, 2'd0};", "4'd3: {first, second} = {2'd2, 2'd1};"),
