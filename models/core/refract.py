@@ -24,6 +24,21 @@ def ratios(fmts: Formats) -> tuple[Raw, Raw]:
     )
 
 
+def incidence(cosine: Raw, fmts: Formats) -> Raw:
+    """c = -N.V of cosines N.V (n,), held in 0 to 1."""
+    return np.clip(-cosine, 0, fmts.cosine.one)
+
+
+def radicand(cosine: Raw, index: Raw, leaving: NDArray[np.bool_], fmts: Formats) -> Raw:
+    """1 - eta^2 (1 - c^2) of shape (n,), twice the fraction of `gain`; negative where reflection is total."""
+    square_frac, root_frac = 2 * fmts.unit.frac_bits, fmts.gain.frac_bits
+    c = incidence(cosine, fmts)
+    sine_sq = fmts.sine_sq.resize((1 << square_frac) - c * c, square_frac)
+    eta_sq = ratios(fmts)[1][index + INDEX_CODES * leaving]
+    bend_frac = fmts.eta_sq.frac_bits + fmts.sine_sq.frac_bits
+    return np.asarray((1 << 2 * root_frac) - (eta_sq * sine_sq >> (bend_frac - 2 * root_frac)))
+
+
 class Refracted(NamedTuple):
     """T (3, n) in `unit`, and where it is R instead: total internal reflection."""
 
@@ -44,18 +59,12 @@ def refract(
 
     direction V, normal N, mirrored R: (3, n) in `unit`; cosine N.V (n,) in `unit`; index: codes (n,).
     """
-    eta_table, eta_sq_table = ratios(fmts)
-    code = index + INDEX_CODES * leaving
-    eta, eta_sq = eta_table[code], eta_sq_table[code]
-    incidence = np.clip(-cosine, 0, fmts.cosine.one)
-    square = Format(2, 2 * fmts.unit.frac_bits)
-    sine_sq = fmts.sine_sq.resize((1 << square.frac_bits) - incidence * incidence, square.frac_bits)
+    eta = ratios(fmts)[0][index + INDEX_CODES * leaving]
     root_frac = fmts.gain.frac_bits
-    bend_frac = fmts.eta_sq.frac_bits + fmts.sine_sq.frac_bits
-    radicand = (1 << 2 * root_frac) - (eta_sq * sine_sq >> (bend_frac - 2 * root_frac))
-    total = np.asarray(radicand < 0)
-    root = isqrt(np.where(total, 0, radicand), 2 * root_frac + 2)
-    bent = vec_mul(eta, incidence, fmts.eta, fmts.cosine, Format(2, root_frac, signed=False))
+    under_root = radicand(cosine, index, leaving, fmts)
+    total = np.asarray(under_root < 0)
+    root = isqrt(np.where(total, 0, under_root), 2 * root_frac + 2)
+    bent = vec_mul(eta, incidence(cosine, fmts), fmts.eta, fmts.cosine, Format(2, root_frac, signed=False))
     gain = fmts.gain.saturate(bent - root)
     exact = gain * normal + eta * direction
     sum_fmt = Format(fmts.gain.int_bits + fmts.unit.int_bits + 2, root_frac + fmts.unit.frac_bits)

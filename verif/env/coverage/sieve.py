@@ -17,6 +17,8 @@ from verif.env.unit import ArithmeticUnit, Parameters
 
 _TIMES = 64
 """Operands that are drawn for one that is asked for."""
+_MOST = 1 << 16
+"""But no more than so many."""
 _FEW = 4
 """Operands that are kept at most: they are known to reach the bin."""
 
@@ -54,12 +56,18 @@ class Sieve:
         """The same with another source."""
         return replace(self, name=name, source=source)
 
+    def directed(self, name: str) -> "Sieve":
+        """The same with the unit's directed operands alone. Raises ValueError where it has none."""
+        if self.unit.directed is None:
+            raise ValueError(f"{self.unit.name} has no directed operands")
+        return self.of(name, self.unit.directed)
+
     def shape(self, holds: Holds) -> Shape:
         """Operands for which something holds; a few that were drawn, where it holds for none."""
         draw = self.source or mixed(self.unit)
 
         def shape(parameters: Parameters, generator: Generator, operands: Operands) -> Operands:
-            wanted = draw(parameters, generator, _TIMES * count(operands))
+            wanted = draw(parameters, generator, min(_TIMES * count(operands), _MOST))
             drawn = self.unit.legal(parameters, wanted)
             reached = np.flatnonzero(holds(parameters, with_results(self.unit, parameters, drawn)))
             return select(drawn, reached[:_FEW] if reached.size else slice(0, _FEW))
