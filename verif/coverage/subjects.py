@@ -17,6 +17,7 @@ from verif.env.context import Context
 from verif.env.coverage.collector import Collector
 from verif.env.coverage.flow import IDLES, LONG, RESET_BUSY, RESET_IDLE, STALLS
 from verif.env.coverage.points import Recipe
+from verif.env.coverage.sampling import Signals
 from verif.env.fields import Operands, count, select
 from verif.env.operands import uniform
 from verif.env.pipelined import PipelinedBench
@@ -32,6 +33,10 @@ class Subject(Protocol):
     def coverage(self) -> Collector:
         """Its bins."""
 
+    @property
+    def largest(self) -> int:
+        """The size beyond which a portion is not doubled."""
+
     async def undirected(self, generator: Generator) -> None:
         """A portion of what anybody would draw without looking at the bins."""
 
@@ -44,6 +49,7 @@ Scenario = Callable[[Any, Generator, int], Awaitable[None]]
 
 _UNDIRECTED = 256
 """Operands of an undirected portion."""
+_LARGEST = 4096
 
 
 @dataclass(frozen=True)
@@ -55,6 +61,7 @@ class Scenarios:
     scenarios: Mapping[str, Scenario]
     at_random: Scenario
     """The undirected one."""
+    largest: int = _LARGEST
 
     async def undirected(self, generator: Generator) -> None:
         """One portion of the undirected scenario."""
@@ -85,6 +92,8 @@ def _known(coverage: Collector | None) -> Collector:
 
 class PipelinedSubject:
     """A pipelined unit."""
+
+    largest = _LARGEST
 
     def __init__(self, bench: PipelinedBench) -> None:
         self._bench = bench
@@ -123,6 +132,8 @@ async def _pipelined_reset_idle(bench: PipelinedBench, generator: Generator, _si
 class StreamSubject:
     """A unit between two valid/ready streams."""
 
+    largest = _LARGEST
+
     def __init__(self, bench: StreamBench) -> None:
         self._bench = bench
         self.coverage = _known(bench.coverage)
@@ -157,7 +168,13 @@ def _waits(bench: StreamBench) -> Sequence[int]:
 
 def of_block(bench: Block, scenarios: Mapping[str, Scenario], at_random: Scenario) -> Scenarios:
     """A block's bench as a subject. Raises ValueError where its run samples no coverage."""
-    signals = bench.signals
+    return of_signals(bench, bench.signals, scenarios, at_random)
+
+
+def of_signals(
+    bench: Any, signals: Signals | None, scenarios: Mapping[str, Scenario], at_random: Scenario
+) -> Scenarios:
+    """The same of a bench of another kind that samples signals."""
     return Scenarios(bench, _known(None if signals is None else signals.collector), scenarios, at_random)
 
 

@@ -74,9 +74,13 @@ class Signals:
 
 
 def _find(dut: Any, name: str) -> Any:
+    """A signal by its path; `scope[3]` is one of a generated array."""
     handle = dut
     for part in name.split("."):
-        handle = getattr(handle, part)
+        scope, _, index = part.partition("[")
+        handle = getattr(handle, scope)
+        if index:
+            handle = handle[int(index.removesuffix("]"))]
     return handle
 
 

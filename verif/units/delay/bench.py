@@ -9,7 +9,11 @@ from hypothesis import strategies as st
 
 from verif.env import context, properties
 from verif.env.clocking import Clocking
+from verif.env.coverage.sampling import Signals
 from verif.env.pipelined import Mismatch
+from verif.units.delay.coverage import COVERAGE
+
+_RESET_CLOCKS = 2
 
 
 class DelayBench:
@@ -17,20 +21,31 @@ class DelayBench:
 
     def __init__(self, dut: Any, run: context.Context) -> None:
         self._clocking = Clocking(dut)
-        self._in, self._out = getattr(dut, "in"), dut.out
+        self._in, self._out, self._rst = getattr(dut, "in"), dut.out, dut.rst
+        self.most = (1 << run.parameters["WIDTH"]) - 1
         self._width, self._depths = run.parameters["WIDTH"], run.parameters["DEPTHS"]
         self._past: deque[int] = deque(maxlen=self._depths)
+        self.signals = Signals(dut, run, COVERAGE) if run.unit else None
 
     async def reset(self) -> None:
         """Resets the lines; what is in them counts no more."""
         self._in.value = 0
-        await self._clocking.reset()
+        self._rst.value = 1
+        for _ in range(_RESET_CLOCKS):
+            await self._edge()
+        self._rst.value = 0
+        await self._edge()
         self._past.clear()
+
+    async def _edge(self) -> None:
+        await self._clocking.edge
+        if self.signals is not None:
+            self.signals.sample()
 
     async def clock(self, word: int) -> None:
         """One word in; checks the lines that have been filled since the reset."""
         self._in.value = word
-        await self._clocking.edge
+        await self._edge()
         self._past.append(word)
         out = str(self._out.value)
         for depth, expected in enumerate(reversed(self._past)):
@@ -46,7 +61,7 @@ async def words_come_out_as_late_as_the_line_is_deep(dut: Any) -> None:
     run = context.read()
     bench = DelayBench(dut, run)
     await bench.reset()
-    words = run.generator(0).integers(0, 1 << run.parameters["WIDTH"], min(run.operands, 20_000))
+    words = run.generator(0).integers(0, bench.most, min(run.operands, 20_000), endpoint=True)
     for word in words:
         await bench.clock(int(word))
 
@@ -63,5 +78,5 @@ async def lines_are_exact_after_a_reset_at_any_moment(dut: Any) -> None:
             for word in words:
                 await bench.clock(word)
 
-    words = st.lists(st.integers(0, (1 << run.parameters["WIDTH"]) - 1), max_size=50)
+    words = st.lists(st.integers(0, bench.most), max_size=50)
     await properties.check(run, resume(example), words, words)
