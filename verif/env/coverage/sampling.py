@@ -1,5 +1,6 @@
 """Coverage inside the simulator: a collector for each test, whose counts are kept when the test ends."""
 
+from collections.abc import Callable
 from typing import Any
 
 import cocotb
@@ -48,7 +49,7 @@ class Signals:
     _ENOUGH = 1024
 
     def __init__(self, dut: Any, run: Context, coverage: Coverage) -> None:
-        self._handles = [_find(dut, name) for name in coverage.signals]
+        self._reads = [_find(dut, name).get for name in coverage.signals]
         self._names = coverage.signals
         self._rows: list[list[int]] = []
         self._of_chance = "rst" in coverage.signals
@@ -57,12 +58,12 @@ class Signals:
 
     def sample(self) -> None:
         """To be called once a clock, where outputs have settled."""
-        if not self._handles:
+        if not self._names:
             return
         if self._of_chance:
-            self._of_chance = _number(self._handles[self._names.index("rst")]) != 1
-            return
-        self._rows.append([_number(handle) for handle in self._handles])
+            self._of_chance = _number(self._reads[self._names.index("rst")]) != 1
+        else:
+            self._rows.append([_number(read) for read in self._reads])
         if len(self._rows) >= self._ENOUGH:
             self._pass_on()
 
@@ -84,8 +85,8 @@ def _find(dut: Any, name: str) -> Any:
     return handle
 
 
-def _number(handle: Any) -> int:
+def _number(read: Callable[[], Any]) -> int:
     try:
-        return int(handle.value)
+        return int(read())
     except ValueError:  # an unknown bit
         return _UNKNOWN
