@@ -50,7 +50,7 @@ def triangle_intersect(
     Corners (3, n) or (3, 1) in `coord`, unit normals likewise in `unit`.
     """
     seen = [_seen(corner, origin, fmts) for corner in corners]
-    inside = _inside([mantissa for mantissa, _ in seen], direction, fmts)
+    inside = _inside(*_areas([mantissa for mantissa, _ in seen], direction, fmts))
     facing = exact_dot(direction, normal)
     away = np.asarray(facing > 0)
     mantissa, shift = seen[0]
@@ -69,8 +69,15 @@ def _seen(corner: Raw, origin: Raw, fmts: Formats) -> tuple[Raw, Raw]:
     return shifted.vector, shifted.shift
 
 
-def _inside(seen: list[Raw], direction: Raw, fmts: Formats) -> NDArray[np.bool_]:
-    """Whether the plane's origin, where the ray is, lies within the corners moved onto it, edges included."""
+def edge_areas(
+    origin: Raw, direction: Raw, corners: tuple[Raw, Raw, Raw], fmts: Formats
+) -> tuple[Raw, Raw, Raw]:
+    """Areas (n,) that the ray makes with each edge: 0 where it passes through the edge's line."""
+    return _areas([_seen(corner, origin, fmts)[0] for corner in corners], direction, fmts)
+
+
+def _areas(seen: list[Raw], direction: Raw, fmts: Formats) -> tuple[Raw, Raw, Raw]:
+    """Of the edges of corners that are moved along the ray onto the plane across it."""
     along = dominant_axis(direction)
     places = np.arange(direction.shape[1])
     axes = [(along + turn) % 3 for turn in (1, 2)]
@@ -87,7 +94,11 @@ def _inside(seen: list[Raw], direction: Raw, fmts: Formats) -> NDArray[np.bool_]
             ]
         )
     (ax, ay), (bx, by), (cx, cy) = moved
-    edges = (ax * by - ay * bx, bx * cy - by * cx, cx * ay - cy * ax)
+    return ax * by - ay * bx, bx * cy - by * cx, cx * ay - cy * ax
+
+
+def _inside(*edges: Raw) -> NDArray[np.bool_]:
+    """Whether the plane's origin, where the ray is, lies within the edges of these areas, edges included."""
     least, most = np.minimum.reduce(edges), np.maximum.reduce(edges)
     # Both hold where all areas are 0: seen from here the triangle is a line or a point, and it is not hit.
     # Its neighbours have the same edges, so that leaves no gap either.
