@@ -22,6 +22,11 @@ def _even(s: Samples) -> Found:
     return 2 * s["remainder"] < s["count"]
 
 
+def _loaded(s: Samples) -> Found:
+    """A clock behind a load: the value is the quotient."""
+    return was(s["load"] == 1)
+
+
 def _carries(s: Samples) -> Found:
     """The rest and what it grows by reach the count."""
     growth = np.where(_even(s), 2 * s["remainder"], 2 * s["remainder"] - s["count"])
@@ -53,7 +58,7 @@ def _cannot_carry(increment: str, carry: str) -> bool:
 
 
 COVERAGE = Coverage(
-    signals=("load", "step", "quotient", "remainder", "count", "rest_reg", "value_reg"),
+    signals=("load", "step", "remainder", "count", "rest_reg", "value_reg"),
     points=(
         Point(
             "count",
@@ -77,36 +82,33 @@ COVERAGE = Coverage(
                 Bin(
                     "zero",
                     LINES,
-                    lambda _p, s: (s["load"] == 1) & (s["quotient"] == 0) & (s["remainder"] == 0),
+                    lambda _p, s: _loaded(s) & (s["value_reg"] == 0) & (s["remainder"] == 0),
                 ),
                 Bin(
                     "below_count",
                     LINES,
-                    lambda _p, s: (s["load"] == 1) & (s["quotient"] == 0) & (s["remainder"] > 0),
+                    lambda _p, s: _loaded(s) & (s["value_reg"] == 0) & (s["remainder"] > 0),
                 ),
                 Bin(
                     "multiple_of_count",
                     LINES,
-                    lambda _p, s: (s["load"] == 1) & (s["quotient"] > 0) & (s["remainder"] == 0),
+                    lambda _p, s: _loaded(s) & (s["value_reg"] > 0) & (s["remainder"] == 0),
                 ),
                 Bin(
                     "with_remainder",
                     LINES,
-                    lambda _p, s: (s["load"] == 1) & (s["quotient"] > 0) & (s["remainder"] > 0),
+                    lambda _p, s: _loaded(s) & (s["value_reg"] > 0) & (s["remainder"] > 0),
                 ),
                 Bin(
                     "largest_remainder",
                     LINES,
-                    lambda _p, s: (
-                        (s["load"] == 1) & (s["remainder"] > 1) & (s["remainder"] == s["count"] - 1)
-                    ),
+                    lambda _p, s: _loaded(s) & (s["remainder"] > 1) & (s["remainder"] == s["count"] - 1),
                 ),
                 Bin(
                     "most",
                     LINES,
                     lambda p, s: (
-                        (s["load"] == 1)
-                        & (s["quotient"] * s["count"] + s["remainder"] == (1 << p["SPAN_W"]) - 1)
+                        _loaded(s) & (s["value_reg"] * s["count"] + s["remainder"] == (1 << p["SPAN_W"]) - 1)
                     ),
                 ),
             ),
