@@ -19,7 +19,7 @@ JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 option = $(if $($(2)),$(1) '$($(2))')
 
 .DEFAULT_GOAL := help
-.PHONY: help setup render video test unit lint format bench book synth weigh close breaks mutate header requirements clean
+.PHONY: help setup render video test unit smoke nightly lint format bench book synth weigh close breaks mutate header requirements clean
 
 help: ## lists the commands
 	@echo "Commands (make <command> [NAME=value ...]):"
@@ -52,6 +52,12 @@ unit: $(READY) ## runs one unit's bench: UNIT=sqrt [SIM=icarus] [SET=narrow] [SE
 	@$(BIN)/python -m pytest verif/test_units.py --unit '$(UNIT)' $(call option,--sim,SIM) $(call option,--seed,SEED) \
 		$(call option,--set,SET) $(call option,--examples,EXAMPLES) $(call option,--operands,OPERANDS) $(if $(WAVES),--waves) \
 		$(if $(COVERAGE),--code-coverage)
+
+smoke: $(READY) ## runs every unit and a small core shortly, in two minutes: [SEED=n] [ONLY=pattern]
+	@$(BIN)/python -m regressions run smoke --jobs $(JOBS) $(call option,--seed,SEED) $(call option,--only,ONLY)
+
+nightly: $(READY) ## runs all there is in 45 minutes, with one record of it: [SEED=n] [ONLY=pattern]
+	@$(BIN)/python -m regressions run nightly --jobs $(JOBS) $(call option,--seed,SEED) $(call option,--only,ONLY)
 
 lint: $(READY) ## checks Verilog, Python and types, all warnings on
 	@$(BIN)/ruff check --quiet

@@ -16,17 +16,18 @@ import signal
 import sys
 import threading
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from types import FrameType, MappingProxyType
 
-from regressions import junit, lists, markdown, record
+from regressions import junit, lists, markdown, record, regression
 from regressions.expand import chosen, expand
 from regressions.lists import ListError
 from regressions.progress import Progress
 from regressions.record import Record, RecordError, Result, Status
-from regressions.regression import FOLDER, LATEST, RECORD, Order, fresh_folder, regress
+from regressions.regression import LATEST, RECORD, Order, fresh_folder, regress
 
 _SEEDS = 1 << 31
 
@@ -120,20 +121,30 @@ def _jobs(wanted: int | None) -> int:
 
 
 def _path(name: str) -> Path:
-    return FOLDER / name / RECORD
+    return regression.FOLDER / name / RECORD
 
 
-def _regress(order: Order) -> int:
-    """Runs, reports, and says in the end where everything is."""
+@contextmanager
+def _stopped_by_signals() -> Iterator[threading.Event]:
+    """An event that Ctrl-C and a request to end set, so that the record is still written."""
     stop = threading.Event()
 
     def end(_number: int, _frame: FrameType | None) -> None:
         stop.set()
 
-    for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, end)
+    before = {number: signal.signal(number, end) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield stop
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def _regress(order: Order) -> int:
+    """Runs, reports, and says in the end where everything is."""
     folder = fresh_folder(order.list)
-    found = regress(order, folder, stop, Progress(len(order.planned)))
+    with _stopped_by_signals() as stop:
+        found = regress(order, folder, stop, Progress(len(order.planned)))
     (folder / "summary.md").write_text(markdown.summary(found))
     (folder / "junit.xml").write_text(junit.xml(found))
     print("\n".join(_last_words(found, folder)))

@@ -37,7 +37,7 @@ def execute(planned: Result, folder: Path, stop: Event, *, waves: bool = False) 
             start_new_session=True,
         )
         ended = _ended(process, planned.wall_limit, stop)
-    named = replace(planned, folder=str(folder.relative_to(sources.ROOT)))
+    named = replace(planned, folder=os.path.relpath(folder, sources.ROOT))
     return judged(named, folder, ended)
 
 

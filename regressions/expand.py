@@ -18,6 +18,9 @@ PYTHON = ".venv/bin/python"
 
 _SEEDS = 1 << 31
 
+_EACH_UNIT = "{unit}"
+"""In the words of a module: once with each unit."""
+
 
 @dataclass(frozen=True)
 class _Test:
@@ -99,7 +102,8 @@ def _planned(entry: Entry, test: _Test, index: int, root: int) -> Result:
 
 
 def _any(pattern: str, names: Iterable[str]) -> bool:
-    return any(fnmatchcase(name, pattern) for name in names)
+    """A name is the pattern, brackets and all, or matches it."""
+    return any(name == pattern or fnmatchcase(name, pattern) for name in names)
 
 
 def _matching(names: Sequence[str], wanted: Iterable[str], at: str, what: str) -> list[str]:
@@ -196,10 +200,13 @@ def _paths(entry: Entry, at: str) -> Iterator[_Test]:
 
 def _modules(entry: Entry, at: str) -> Iterator[_Test]:
     for text in entry.tests:
-        words = text.split()
-        if not (sources.ROOT / words[0].replace(".", "/")).exists():
-            raise ListError(f"{at}: tests: {words[0]!r} is no package of the project")
-        yield _Test(text, ("-m", *words), f"make setup && {PYTHON} -m {text}")
+        package = text.split()[0]
+        if not (sources.ROOT / package.replace(".", "/") / "__main__.py").exists():
+            raise ListError(f"{at}: tests: {package!r} is no package of the project that Python runs")
+        for name in units.names() if _EACH_UNIT in text else ("",):
+            words = text.replace(_EACH_UNIT, name)
+            command = f"make setup && {PYTHON} -m {words}"
+            yield _Test(words, ("-m", *words.split()), command, unit=name)
 
 
 _TESTS = {Kind.UNIT: _units, Kind.CORE: _cores, Kind.PYTEST: _paths, Kind.MODULE: _modules}

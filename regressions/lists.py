@@ -16,7 +16,8 @@
     each = true                 # of `pytest`: every test is a run of its own
 
 `tests` are units of `verif/units`; cases of `verif/core/cases.py`; files, folders or tests that pytest takes;
-or a module that Python runs with its arguments, as `verif.mutation all`. `except` takes some of them out.
+or a module that Python runs with its arguments, as `verif.mutation {unit}`, which is run for each unit.
+`except` takes some of them out.
 """
 
 import tomllib
@@ -62,7 +63,6 @@ class Entry:
     wall_minutes: float = 10.0
     simulated_ms: float | None = None
     each: bool = False
-    coverage: bool = False
 
 
 @dataclass(frozen=True)
@@ -81,7 +81,6 @@ _OF_KINDS = {
     "simulators": (Kind.UNIT, Kind.CORE),
     "examples": (Kind.UNIT, Kind.CORE),
     "operands": (Kind.UNIT,),
-    "coverage": (Kind.UNIT, Kind.CORE),
     "each": (Kind.PYTEST,),
     "simulated_ms": (Kind.UNIT, Kind.CORE, Kind.PYTEST),
 }
@@ -150,7 +149,7 @@ def _value(at: str, key: str, value: Any) -> Any:
         return value
     if key == "kind":
         return _member(at, value, Kind)
-    if key in ("each", "coverage"):
+    if key == "each":
         if not isinstance(value, bool):
             raise ListError(f"{at} is {value!r}; write true or false")
         return value

@@ -125,7 +125,7 @@ def _with_waves(found: Record, folder: Path, stop: threading.Event, progress: Pr
         for number, repeated in enumerate(pool.map(again, chosen[:_WITH_WAVES]), 1):
             progress.recording(number, len(chosen[:_WITH_WAVES]))
             dumps = sorted((sources.ROOT / repeated.folder).glob("runs/*/dump.*"))
-            waves[repeated.id] = str(dumps[0].relative_to(sources.ROOT)) if dumps else ""
+            waves[repeated.id] = os.path.relpath(dumps[0], sources.ROOT) if dumps else ""
             if repeated.status is Status.PASSED:
                 notes.append(
                     f"{repeated.id}: did not fail again with waves; it depends on more than its seed"

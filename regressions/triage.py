@@ -7,7 +7,7 @@ from regressions.record import Bucket, Result, Status
 
 _PATH = re.compile(r"(?:[\w.~-]*/)+[\w.~-]+")
 _BLOB = re.compile(r"b'[^']*'")
-_NUMBER = re.compile(r"\b0x[0-9a-fA-FxXzZ]+\b|(?<![A-Za-z_])[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?\b")
+_NUMBER = re.compile(r"\b0x[0-9a-fA-FxXzZ]+\b|(?<!\w)[-+]?\d+(?:\.\d+)?(?:[eE][-+]?\d+)?\b")
 _SAME = re.compile(r"# \(# = #\)|#(?:,? #)+")
 _MOST = 240
 
