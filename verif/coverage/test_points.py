@@ -39,7 +39,8 @@ def _unit(name: str) -> ArithmeticUnit:
 def _sampled(unit: ArithmeticUnit, parameters: Parameters, operands: Operands) -> Samples:
     """As a bench samples it that sends one operand after the other."""
     legal = unit.legal(parameters, operands)
-    return {**with_results(unit, parameters, legal), IDLE: np.zeros(count(legal), dtype=np.int64)}
+    samples = {**with_results(unit, parameters, legal), IDLE: np.zeros(count(legal), dtype=np.int64)}
+    return coverage_of_name(unit.name).seen(parameters, samples)
 
 
 def _reaches(unit: ArithmeticUnit, parameters: Parameters, found: Bin, generator: Generator) -> bool:

@@ -50,7 +50,7 @@ class Collector:
         """Evaluates the samples that wait."""
         self.pull()
         if self._waiting:
-            samples = concatenate(self._waiting)
+            samples = self.coverage.seen(self._parameters, concatenate(self._waiting))
             self._waiting, self._columns = [], 0
             for name, holds in self._predicates:
                 self.hits[name] += int(np.count_nonzero(holds(self._parameters, samples)))

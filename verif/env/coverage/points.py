@@ -65,16 +65,22 @@ class Point:
     bins: tuple[Bin, ...]
 
 
+Stages = Callable[[Parameters, Samples], Samples]
+"""What a design computes on its way, of samples, by names that no port has."""
+
+
 @dataclass(frozen=True)
 class Coverage:
     """All that must have been seen of one unit.
 
+    stages: computed once for all bins, beside what is sampled.
     signals: what is sampled of a clocked block every clock, by name below its top (`fifo.level_reg`);
     an arithmetic unit's operands and results are sampled without being named.
     """
 
     points: tuple[Point, ...]
     signals: tuple[str, ...] = ()
+    stages: Stages | None = None
 
     def __post_init__(self) -> None:
         twice = [name for name, number in Counter(name for name, _ in self.bins()).items() if number > 1]
@@ -84,6 +90,10 @@ class Coverage:
     def bins(self) -> Iterable[tuple[str, Bin]]:
         """Every bin with its name, `point.bin`."""
         return ((f"{point.name}.{found.name}", found) for point in self.points for found in point.bins)
+
+    def seen(self, parameters: Parameters, samples: Samples) -> Samples:
+        """What bins are asked about: samples, and the stages between them."""
+        return samples if self.stages is None else {**samples, **self.stages(parameters, samples)}
 
     def with_points(self, more: Sequence[Point]) -> "Coverage":
         """These points and others."""

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.random import Generator
 
-from verif.env.coverage.points import Bin, Holds, Point, Recipe, Samples, Shape
+from verif.env.coverage.points import Bin, Holds, Point, Recipe, Samples, Shape, Stages
 from verif.env.fields import Operands, concatenate, count, select
 from verif.env.operands import stream
 from verif.env.unit import ArithmeticUnit, Parameters
@@ -46,11 +46,15 @@ def mixed(unit: ArithmeticUnit) -> Draw:
 
 @dataclass(frozen=True)
 class Sieve:
-    """Makes bins of a unit whose recipes keep what reaches them. source: what is drawn, and its name."""
+    """Makes bins of a unit whose recipes keep what reaches them.
+
+    source: what is drawn, and its name. stages: those of the unit's coverage.
+    """
 
     unit: ArithmeticUnit
     name: str = "mixed operands"
     source: Draw | None = field(default=None)
+    stages: Stages | None = field(default=None)
 
     def of(self, name: str, source: Draw) -> "Sieve":
         """The same with another source."""
@@ -69,7 +73,10 @@ class Sieve:
         def shape(parameters: Parameters, generator: Generator, operands: Operands) -> Operands:
             wanted = draw(parameters, generator, min(_TIMES * count(operands), _MOST))
             drawn = self.unit.legal(parameters, wanted)
-            reached = np.flatnonzero(holds(parameters, with_results(self.unit, parameters, drawn)))
+            samples = with_results(self.unit, parameters, drawn)
+            if self.stages is not None:
+                samples = {**samples, **self.stages(parameters, samples)}
+            reached = np.flatnonzero(holds(parameters, samples))
             return select(drawn, reached[:_FEW] if reached.size else slice(0, _FEW))
 
         return shape

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from models.arith import exact_dot
 from models.core import sphere_intersect
 from models.core.setup import triangle_normals
-from models.core.sphere import SphereHit
 from models.core.triangle import dominant_axis, edge_areas
 from models.fixed import Raw
 from models.formats import Formats
@@ -27,7 +26,36 @@ from verif.units.intersection.unit import UNIT, alternating, corners, radius_sq
 
 Found = NDArray[np.bool_]
 
-SIEVE = Sieve(UNIT)
+
+def _stages(p: Parameters, s: Samples) -> Samples:
+    """Of all tests as if they were of a sphere, and as if they were of a triangle.
+
+    near, far: the chord's ends, -1 where there is none. areas (3, n): of the edges. zeros: areas that are 0
+    where the ray passes within, -1 where it does not. facing: N.I, exact; across: its magnitude, truncated.
+    """
+    fmts = selected(p)
+    ray: dict[str, Any] = {name: s[name] for name in ("origin", "direction")}
+    ball = sphere_intersect(
+        **ray, limit=s["limit"], center=corners(s)[0], radius_sq=radius_sq(s, fmts), fmts=fmts
+    )
+    meets = ball.discriminant >= 0
+    areas = np.stack(edge_areas(**ray, corners=corners(s), fmts=fmts))
+    within = all_lanes(areas >= 0) ^ all_lanes(areas <= 0)
+    facing = exact_dot(s["direction"], s["shape"])
+    return {
+        "along": ball.along,
+        "clipped": ball.offset,
+        "discriminant": ball.discriminant,
+        "near": np.where(meets, ball.along - ball.half_chord, -1),
+        "far": np.where(meets, ball.along + ball.half_chord, -1),
+        "areas": areas,
+        "zeros": np.where(within, np.count_nonzero(areas == 0, axis=0), -1),
+        "facing": facing,
+        "across": fmts.facing.resize(np.abs(facing), 2 * fmts.unit.frac_bits),
+    }
+
+
+SIEVE = Sieve(UNIT, stages=_stages)
 RAYS = SIEVE.directed("rays past spheres and triangles")
 
 
@@ -77,31 +105,20 @@ TANGENTS = SIEVE.of("rays along an axis at a sphere's radius", _tangents)
 GRID = SIEVE.of("rays along an axis at triangles on a grid", _on_a_grid)
 
 
-def _of_ray(s: Samples) -> dict[str, Any]:
-    return {name: s[name] for name in ("origin", "direction", "limit")}
-
-
-def _sphere(matches: Callable[[SphereHit, Samples, Formats], Found]) -> Holds:
-    """Of a test of a sphere and the stages between."""
-
+def _sphere(matches: Callable[[Samples, Formats], Found]) -> Holds:
     def holds(p: Parameters, s: Samples) -> Found:
-        fmts = selected(p)
-        ball = sphere_intersect(**_of_ray(s), center=corners(s)[0], radius_sq=radius_sq(s, fmts), fmts=fmts)
-        return np.asarray(matches(ball, s, fmts) & (s["triangle"] == 0))
+        return np.asarray((s["triangle"] == 0) & matches(s, selected(p)))
 
     return holds
 
 
+def _hit(matches: Callable[[Samples, Formats], Found]) -> Holds:
+    """Of a sphere that is hit."""
+    return _sphere(lambda s, fmts: (s["hit"] == 1) & matches(s, fmts))
+
+
 def _least(fmts: Formats) -> int:
     return int(T_MIN * fmts.point.one)
-
-
-def _near(ball: SphereHit) -> Raw:
-    return np.where(ball.discriminant >= 0, ball.along - ball.half_chord, -1)
-
-
-def _far(ball: SphereHit) -> Raw:
-    return np.where(ball.discriminant >= 0, ball.along + ball.half_chord, -1)
 
 
 DISCRIMINANT = TANGENTS.point(
@@ -109,12 +126,12 @@ DISCRIMINANT = TANGENTS.point(
     "of a sphere: no hit where it is negative, a tangent where it is 0",
     {
         "just_negative": _sphere(
-            lambda ball, _s, fmts: (ball.discriminant < 0) & (ball.discriminant > -8 * fmts.point.one)
+            lambda s, fmts: (s["discriminant"] < 0) & (s["discriminant"] > -8 * fmts.point.one)
         ),
-        "zero": _sphere(lambda ball, _s, _fmts: ball.discriminant == 0),
-        "tangent_that_is_hit": _sphere(lambda ball, _s, _fmts: (ball.discriminant == 0) & ball.hit),
+        "zero": _sphere(lambda s, _fmts: s["discriminant"] == 0),
+        "tangent_that_is_hit": _hit(lambda s, _fmts: s["discriminant"] == 0),
         "just_positive": _sphere(
-            lambda ball, _s, fmts: (ball.discriminant > 0) & (ball.discriminant < 8 * fmts.point.one)
+            lambda s, fmts: (s["discriminant"] > 0) & (s["discriminant"] < 8 * fmts.point.one)
         ),
     },
 )
@@ -123,50 +140,43 @@ SPHERES = RAYS.point(
     "sphere",
     "where a ray starts that passes a sphere, and how it meets it",
     {
-        "beside": _sphere(lambda ball, _s, fmts: ball.discriminant < -8 * fmts.point.one),
-        "ahead": _sphere(lambda ball, _s, fmts: ball.hit & (_near(ball) > _least(fmts))),
-        "from_inside": _sphere(lambda ball, _s, fmts: ball.hit & (_near(ball) < -_least(fmts))),
-        "from_its_surface": _sphere(lambda ball, _s, fmts: ball.hit & (np.abs(_near(ball)) < _least(fmts))),
-        "behind": _sphere(lambda ball, _s, _fmts: (ball.discriminant > 0) & (_far(ball) < 0)),
-        "through_the_center": _sphere(lambda ball, _s, _fmts: ball.hit & all_lanes(ball.offset == 0)),
-        "near_end_at_smallest": _sphere(lambda ball, _s, fmts: ball.hit & (_near(ball) == _least(fmts))),
-        "near_end_a_step_less": _sphere(lambda ball, _s, fmts: _near(ball) == _least(fmts) - 1),
-        "far_end_at_smallest": _sphere(lambda ball, _s, fmts: ball.hit & (_far(ball) == _least(fmts))),
-        "far_end_a_step_less": _sphere(lambda ball, _s, fmts: _far(ball) == _least(fmts) - 1),
-        "at_limit": _sphere(
-            lambda ball, s, fmts: (
-                (ball.distance == s["limit"]) & (ball.distance > _least(fmts)) & (ball.discriminant > 0)
-            )
+        "beside": _sphere(lambda s, fmts: s["discriminant"] < -8 * fmts.point.one),
+        "ahead": _hit(lambda s, fmts: s["near"] > _least(fmts)),
+        "from_inside": _hit(lambda s, fmts: s["near"] < -_least(fmts)),
+        "from_its_surface": _hit(lambda s, fmts: np.abs(s["near"]) < _least(fmts)),
+        "behind": _sphere(lambda s, _fmts: (s["discriminant"] > 0) & (s["far"] < 0)),
+        "through_the_center": _hit(lambda s, _fmts: all_lanes(s["clipped"] == 0)),
+        "near_end_at_smallest": _hit(lambda s, fmts: s["near"] == _least(fmts)),
+        "near_end_a_step_less": _sphere(lambda s, fmts: s["near"] == _least(fmts) - 1),
+        "far_end_at_smallest": _hit(lambda s, fmts: s["far"] == _least(fmts)),
+        "far_end_a_step_less": _sphere(lambda s, fmts: s["far"] == _least(fmts) - 1),
+        "near_end_at_limit": _sphere(lambda s, fmts: (s["near"] == s["limit"]) & (s["near"] > _least(fmts))),
+        "far_end_at_limit": _sphere(
+            lambda s, fmts: (s["far"] == s["limit"]) & (s["near"] < _least(fmts)) & (s["far"] > _least(fmts))
         ),
-        "a_step_before_limit": _sphere(lambda ball, s, _fmts: ball.hit & (ball.distance == s["limit"] - 1)),
-        "smallest_radius": _sphere(lambda ball, s, fmts: ball.hit & (radius_sq(s, fmts) == 1)),
-        "largest_radius": _sphere(
-            lambda ball, s, fmts: ball.hit & (radius_sq(s, fmts) == fmts.radius.max**2)
-        ),
+        "a_step_before_limit": _hit(lambda s, _fmts: s["distance"] == s["limit"] - 1),
+        "smallest_radius": _hit(lambda s, fmts: radius_sq(s, fmts) == 1),
+        "largest_radius": _hit(lambda s, fmts: radius_sq(s, fmts) == fmts.radius.max**2),
     },
 )
+
+
+def _center_too_far(s: Samples, fmts: Formats) -> Found:
+    center = corners(s)[0] << (fmts.point.frac_bits - fmts.coord.frac_bits)
+    return any_lane(np.abs(center - s["origin"]) > fmts.point.max + 1)
+
 
 HELD = SIEVE.point(
     "held",
     "stages of a sphere's test at their limits",
     {
-        "center_too_far": _sphere(
-            lambda _ball, s, fmts: any_lane(
-                np.abs((corners(s)[0] << fmts.point.frac_bits - fmts.coord.frac_bits) - s["origin"])
-                > fmts.point.max + 1
-            )
-        ),
-        "along_highest": _sphere(lambda ball, _s, fmts: ball.along == fmts.point.max),
-        "along_lowest": _sphere(lambda ball, _s, fmts: ball.along == fmts.point.min),
-        "offset_highest": _sphere(lambda ball, _s, fmts: any_lane(ball.offset == fmts.offset.max)),
-        "offset_lowest": _sphere(lambda ball, _s, fmts: any_lane(ball.offset == fmts.offset.min)),
+        "center_too_far": _sphere(_center_too_far),
+        "along_highest": _sphere(lambda s, fmts: s["along"] == fmts.point.max),
+        "along_lowest": _sphere(lambda s, fmts: s["along"] == fmts.point.min),
+        "offset_highest": _sphere(lambda s, fmts: any_lane(s["clipped"] == fmts.offset.max)),
+        "offset_lowest": _sphere(lambda s, fmts: any_lane(s["clipped"] == fmts.offset.min)),
     },
 )
-
-
-def _areas(p: Parameters, s: Samples) -> Raw:
-    """Of a triangle's three edges, (3, n)."""
-    return np.stack(edge_areas(s["origin"], s["direction"], corners(s), selected(p)))
 
 
 def _triangle(matches: Callable[[Parameters, Samples], Found]) -> Holds:
@@ -176,30 +186,21 @@ def _triangle(matches: Callable[[Parameters, Samples], Found]) -> Holds:
     return holds
 
 
-def _within(p: Parameters, s: Samples, zeros: int) -> Found:
-    """The ray passes within, and so many areas are zero."""
-    areas = _areas(p, s)
-    one_sided = all_lanes(areas >= 0) ^ all_lanes(areas <= 0)
-    return np.asarray(one_sided & (np.count_nonzero(areas == 0, axis=0) == zeros))
-
-
 def _on(edge: int) -> Holds:
-    return _triangle(lambda p, s: _within(p, s, 1) & (_areas(p, s)[edge] == 0) & (s["hit"] == 1))
+    return _triangle(lambda _p, s: (s["zeros"] == 1) & (s["areas"][edge] == 0) & (s["hit"] == 1))
 
 
 def _at(corner: int) -> Holds:
     """The areas of both edges of a corner are zero."""
-    return _triangle(lambda p, s: _within(p, s, 2) & (_areas(p, s)[(corner + 1) % 3] != 0) & (s["hit"] == 1))
+    return _triangle(lambda _p, s: (s["zeros"] == 2) & (s["areas"][(corner + 1) % 3] != 0) & (s["hit"] == 1))
 
 
 def _around(sign: int) -> Holds:
-    return _triangle(lambda p, s: all_lanes(_areas(p, s) * sign > 0) & (s["hit"] == 1))
+    return _triangle(lambda _p, s: all_lanes(s["areas"] * sign > 0) & (s["hit"] == 1))
 
 
-def _beside(p: Parameters, s: Samples) -> Found:
-    """On the line of an edge, but not on the edge."""
-    areas = _areas(p, s)
-    return np.asarray(any_lane(areas == 0) & any_lane(areas > 0) & any_lane(areas < 0))
+def _apart(s: Samples) -> Found:
+    return any_lane(s["areas"] > 0) & any_lane(s["areas"] < 0)
 
 
 PLACES = GRID.point(
@@ -214,29 +215,20 @@ PLACES = GRID.point(
         "corner_a": _at(0),
         "corner_b": _at(1),
         "corner_c": _at(2),
-        "on_the_line_of_an_edge": _triangle(_beside),
-        "outside": _triangle(lambda p, s: any_lane(_areas(p, s) > 0) & any_lane(_areas(p, s) < 0)),
-        "seen_edge_on": _triangle(lambda p, s: all_lanes(_areas(p, s) == 0) & any_lane(s["shape"] != 0)),
+        "on_the_line_of_an_edge": _triangle(lambda _p, s: _apart(s) & any_lane(s["areas"] == 0)),
+        "outside": _triangle(lambda _p, s: _apart(s)),
+        "seen_edge_on": _triangle(lambda _p, s: all_lanes(s["areas"] == 0) & any_lane(s["shape"] != 0)),
         "no_area": _triangle(lambda _p, s: all_lanes(s["shape"] == 0)),
     },
 )
-
-
-def _facing(s: Samples) -> Raw:
-    return exact_dot(s["direction"], s["shape"])
-
-
-def _truncated_facing(p: Parameters, s: Samples) -> Raw:
-    fmts = selected(p)
-    return fmts.facing.resize(np.abs(_facing(s)), 2 * fmts.unit.frac_bits)
 
 
 def _behind(p: Parameters, s: Samples) -> Found:
     """The plane lies behind the ray, whose line passes within the triangle."""
     fmts = selected(p)
     reach = (corners(s)[0] << (fmts.point.frac_bits - fmts.coord.frac_bits)) - s["origin"]
-    against = np.sign(exact_dot(reach, s["shape"])) * np.sign(_facing(s)) < 0
-    return np.asarray(against & _within(p, s, 0))
+    against = np.sign(exact_dot(reach, s["shape"])) * np.sign(s["facing"]) < 0
+    return np.asarray(against & (s["zeros"] == 0))
 
 
 def _at_distance(offset: int, hit: int) -> Holds:
@@ -244,7 +236,7 @@ def _at_distance(offset: int, hit: int) -> Holds:
 
     def holds(p: Parameters, s: Samples) -> Found:
         return np.asarray(
-            (s["distance"] == _least(selected(p)) + offset) & (s["hit"] == hit) & _within(p, s, 0)
+            (s["distance"] == _least(selected(p)) + offset) & (s["hit"] == hit) & (s["zeros"] == 0)
         )
 
     return _triangle(holds)
@@ -253,7 +245,7 @@ def _at_distance(offset: int, hit: int) -> Holds:
 def _before_limit(steps: int, hit: int) -> Holds:
     def holds(p: Parameters, s: Samples) -> Found:
         there = (s["distance"] == s["limit"] - steps) & (s["distance"] > _least(selected(p)))
-        return np.asarray(there & (s["hit"] == hit) & _within(p, s, 0))
+        return np.asarray(there & (s["hit"] == hit) & (s["zeros"] == 0))
 
     return _triangle(holds)
 
@@ -265,21 +257,17 @@ TRIANGLES = RAYS.point(
         "front": _triangle(lambda _p, s: (s["hit"] == 1) & (s["leaving"] == 0)),
         "back": _triangle(lambda _p, s: (s["hit"] == 1) & (s["leaving"] == 1)),
         "behind": _triangle(_behind),
-        "parallel": _triangle(lambda _p, s: (_facing(s) == 0) & any_lane(s["shape"] != 0)),
-        "parallel_but_for_what_is_truncated": _triangle(
-            lambda p, s: (_facing(s) != 0) & (_truncated_facing(p, s) == 0)
-        ),
+        "parallel": _triangle(lambda _p, s: (s["facing"] == 0) & any_lane(s["shape"] != 0)),
+        "parallel_but_for_what_is_truncated": _triangle(lambda p, s: (s["facing"] != 0) & (s["across"] == 0)),
         "almost_parallel": _triangle(
-            lambda p, s: (
-                (_truncated_facing(p, s) > 0) & (_truncated_facing(p, s) < selected(p).facing.one >> 8)
-            )
+            lambda p, s: (s["across"] > 0) & (s["across"] < selected(p).facing.one >> 8)
         ),
         "smallest_distance": _at_distance(0, 1),
         "a_step_less_than_smallest": _at_distance(-1, 0),
         "at_limit": _before_limit(0, 0),
         "a_step_before_limit": _before_limit(1, 1),
         "too_far": _triangle(
-            lambda p, s: (s["distance"] == 0) & _within(p, s, 0) & (_facing(s) != 0) & ~_behind(p, s)
+            lambda p, s: (s["distance"] == 0) & (s["zeros"] == 0) & (s["facing"] != 0) & ~_behind(p, s)
         ),
     },
 )
@@ -350,4 +338,4 @@ TURNS = Point(
     ),
 )
 
-COVERAGE = Coverage((DISCRIMINANT, SPHERES, HELD, PLACES, TRIANGLES, AXES, TURNS))
+COVERAGE = Coverage((DISCRIMINANT, SPHERES, HELD, PLACES, TRIANGLES, AXES, TURNS), stages=_stages)
