@@ -19,7 +19,7 @@ JOBS   ?= $(shell nproc 2>/dev/null || echo 2)
 option = $(if $($(2)),$(1) '$($(2))')
 
 .DEFAULT_GOAL := help
-.PHONY: help setup render video test unit smoke nightly lint format bench book synth weigh close breaks mutate header requirements clean
+.PHONY: help setup render video test unit smoke nightly coverage lint format bench book synth weigh close breaks mutate header requirements clean
 
 help: ## lists the commands
 	@echo "Commands (make <command> [NAME=value ...]):"
@@ -58,6 +58,9 @@ smoke: $(READY) ## runs every unit and a small core shortly, in two minutes: [SE
 
 nightly: $(READY) ## runs all there is in 45 minutes, with one record of it: [SEED=n] [ONLY=pattern]
 	@$(BIN)/python -m regressions run nightly --jobs $(JOBS) $(call option,--seed,SEED) $(call option,--only,ONLY)
+
+coverage: $(READY) ## draws the page of the latest regression, coverage and all: [RECORD=file]
+	@$(BIN)/python -m regressions.report $(call option,--record,RECORD)
 
 lint: $(READY) ## checks Verilog, Python and types, all warnings on
 	@$(BIN)/ruff check --quiet

@@ -36,6 +36,12 @@ _OPTIONS = (
 _VIEWS = ("summary", "plan", "functional", "closure", "code", "source", "mutation", "tests")
 
 
+def _log(driver: webdriver.Chrome, kind: str) -> list[dict[str, str]]:
+    """What a log of the browser got since it was read last."""
+    found: list[dict[str, str]] = driver.get_log(kind)  # type: ignore[no-untyped-call]
+    return found
+
+
 class Browser:
     """A browser with the page of a record."""
 
@@ -73,11 +79,11 @@ class Browser:
 
     def complaints(self) -> list[str]:
         """What the console has said since it was asked last."""
-        return [entry["message"] for entry in self._driver.get_log("browser")]
+        return [entry["message"] for entry in _log(self._driver, "browser")]
 
     def asked(self) -> set[str]:
         """Schemes of all requests since it was asked last."""
-        events = [json.loads(entry["message"])["message"] for entry in self._driver.get_log("performance")]
+        events = [json.loads(entry["message"])["message"] for entry in _log(self._driver, "performance")]
         urls = [e["params"]["request"]["url"] for e in events if e["method"] == "Network.requestWillBeSent"]
         return {url.partition(":")[0] for url in urls}
 
@@ -99,7 +105,7 @@ def driver(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chrom
     made = webdriver.Chrome(options=options, service=Service(str(_DRIVER)))
     made.get("about:blank")
     # What the browser shows first is no request of the page.
-    made.get_log("performance")
+    _log(made, "performance")
     yield made
     made.quit()
 

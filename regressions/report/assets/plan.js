@@ -1,0 +1,39 @@
+/* The verification plan: each promise, and whether what ran holds it up. */
+
+function planView(open) {
+  const promises = rows("plan");
+  if (!promises.length) return [h("h1", {}, "Plan"), absent("the verification plan")];
+  return [
+    h("h1", {}, "Plan"),
+    table({
+      name: "plan", caption: "Promises", rows: promises, open,
+      key: (row) => row.name,
+      facet: { value: (row) => row.standing, order: ["failed", "hole", "not run", "passed"] },
+      search: (row) => [...row.tests.map(([name]) => name), ...row.points.map(([name]) => name)].join(" "),
+      columns: [
+        { title: "Promise", value: (row) => row.name, cell: (row) => h("code", {}, row.name) },
+        { title: "Standing", value: (row) => row.standing, cell: (row) => badge(row.standing) },
+        { title: "What", value: (row) => row.what, wide: true },
+        { title: "Tests", value: (row) => row.tests.length },
+        { title: "Bins hit", value: (row) => sum(row.points, 1), wide: true },
+        { title: "Bins needed", value: (row) => sum(row.points, 2), wide: true },
+      ],
+      detail: promise,
+    }),
+  ];
+}
+
+function sum(found, place) {
+  return found.reduce((total, row) => total + row[place], 0);
+}
+
+function promise({ what, tests, points, place: where }) {
+  return h("div", {}, h("p", {}, what), where.length ? h("p", {}, "Declared in ", place(where)) : null,
+    h("h4", {}, "Tests"), h("ul", { class: "plain" }, tests.map(([name, status]) => h("li", {}, badge(status), " ", h("code", {}, name)))),
+    points.length ? h("h4", {}, "Cover points") : null,
+    h("ul", { class: "plain" }, points.map(([name, hit, needed]) => h("li", {}, meter(hit, needed), " ", h("a", { href: link("functional", name) }, name)))));
+}
+
+function absent(what) {
+  return h("p", { class: "quiet" }, `This regression has not measured ${what}.`);
+}
