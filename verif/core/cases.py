@@ -113,6 +113,7 @@ def simulate(
     run_name: str = "",
     shrink: bool = True,
     coverage: bool = False,
+    functional: bool = True,
 ) -> Outcome:
     """Builds the design where need be and runs the bench; see `verif.env.units.simulate`."""
     design = case.design
@@ -128,15 +129,20 @@ def simulate(
             "parameter_set": design.build,
             "examples": case.examples(examples),
             "database": str(CACHE / "hypothesis" / f"core-{case}") if keeps else None,
-            "extra": {
-                "build": design.build,
-                "simulator": design.simulator,
-                "stepped": design.stepped,
-                "most_pixels": case.most_pixels,
-                "scenes": case.scenes,
-                "rate_size": case.rate_size,
-                "shrink": shrink,
-            },
+            "unit": "core" if functional and not replacements else "",
+            "extra": {**extra(case), "shrink": shrink},
         },
         tests=",".join(case.tests) or None,
     )
+
+
+def extra(case: Case) -> dict[str, object]:
+    """What the core's benches alone are told."""
+    return {
+        "build": case.design.build,
+        "simulator": case.design.simulator,
+        "stepped": case.design.stepped,
+        "most_pixels": case.most_pixels,
+        "scenes": case.scenes,
+        "rate_size": case.rate_size,
+    }

@@ -12,7 +12,8 @@ from cocotb.triggers import FallingEdge, First, ReadOnly, Timer
 from numpy.typing import NDArray
 
 from models.core import Counts, Registers
-from models.limits import MAX_DEPTH, Fault
+from models.limits import Fault
+from verif.core.promises import BREACHES, WAITS
 from verif.env.clocking import PERIOD_NS, Clocking
 from verif.env.fields import Field, bit
 from verif.env.pipelined import Mismatch
@@ -22,24 +23,6 @@ FRAME = Stream("frame", (Field("data", 32, signed=False), bit("last")), AXI4_STR
 VIDEO = Stream("video", (Field("data", 24, signed=False), bit("user"), bit("last")), AXI4_STREAM)
 PIXELS = Path("pixels.bin")
 """Where `core_tb` leaves the pixels, in the folder of the run."""
-
-BREACHES = (
-    "the ray store holds more rays than it has places",
-    "a place of the ray store was used or given back that was not reserved",
-    "a queue was given an item that it had no room for",
-    "a place was not given back at the end of a frame",
-)
-"""Promises that `core_watch` saw broken, from its lowest bit on."""
-
-WAITS = (
-    *(f"places for rays of depth {depth}" for depth in range(2, MAX_DEPTH + 1)),
-    "room for primary rays",
-    "room for steps",
-    "room for hits",
-    "room for terms",
-    "free pixels",
-)
-"""What `core_tb` saw waited for, from the lowest bit of its `waits` on."""
 
 _PIXEL_BYTES = 8
 _POLL_NS = 100_000
@@ -62,6 +45,19 @@ class Picture:
     fault: Fault
 
 
+@dataclass(frozen=True)
+class Moment:
+    """What the core is about: busy with a frame, given words of one, its counters, a pixel offered, and
+    whether that is taken.
+    """
+
+    busy: bool
+    sending: bool
+    counts: Counts
+    offered: bool
+    taken: bool
+
+
 class CoreDriver:
     """The core with its clock running; ``own_clock``: as `core_build` builds it, not as `stepped_build`."""
 
@@ -70,6 +66,10 @@ class CoreDriver:
         self.clocking = Clocking(dut, own_clock)
         self._fall = FallingEdge(dut.clk)
         self._read = 0
+        self.listeners: list[Callable[[Moment], None]] = []
+        self.sending = False
+        self.sent: list[bool] = []
+        self._fresh = True
         dut.rst.value = 1
         dut.s_axis_frame_tvalid.value = 0
         dut.m_axis_video_tready.value = 0
@@ -79,7 +79,16 @@ class CoreDriver:
         self.go(True)
 
     async def reset(self, registers: Registers) -> None:
-        """Resets the core and sets its registers; frames are drawn as they come."""
+        """Resets the core and sets its registers; frames are drawn as they come.
+
+        ``listeners`` hear what the core was about. `sent`: of the frames since then, whether each came while
+        another was set up or drawn.
+        """
+        if not self._fresh:
+            for listener in self.listeners:
+                listener(self._moment())
+        self._fresh = self.sending = False
+        self.sent = []
         self._dut.s_axis_frame_tvalid.value = 0
         self.go(True)
         self.registers(registers)
@@ -104,6 +113,8 @@ class CoreDriver:
         Words change at the falling edge, where ready is what the next rising edge will find, whoever
         makes the clock.
         """
+        self.sending = True
+        self.sent.append(self.busy)
         valid, ready = self._dut.s_axis_frame_tvalid, self._dut.s_axis_frame_tready
         data, last = self._dut.s_axis_frame_tdata, self._dut.s_axis_frame_tlast
         await self._fall
@@ -116,6 +127,16 @@ class CoreDriver:
                 taken = bool(int(ready.value))
                 await self._fall
         valid.value = 0
+        self.sending = False
+
+    def _moment(self) -> Moment:
+        return Moment(
+            self.busy,
+            self.sending,
+            self.counts,
+            bool(int(self._dut.m_axis_video_tvalid.value)),
+            bool(int(self._dut.m_axis_video_tready.value)),
+        )
 
     async def draw(
         self,

@@ -14,7 +14,7 @@ from cocotb.triggers import SimTimeoutError, with_timeout
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from models.core import Registers, Rendering, render
+from models.core import Registers, Rendering
 from models.core import registers as as_registers
 from models.cores import CORES, Core
 from models.limits import MAX_DEPTH
@@ -24,12 +24,15 @@ from models.scene.load import load
 from models.scene.strategies import whole_scenes
 from models.scene.toml_writer import to_toml
 from models.scene.types import Scene, SceneFile, View
+from verif.core.coverage import COVERAGE
 from verif.core.driver import CoreDriver, Picture
 from verif.core.job import Job
+from verif.core.seen import Seen, Traced
 from verif.core.strategies import Shot, shots
 from verif.env import context, sources
 from verif.env.block import same
 from verif.env.clocking import PERIOD_NS
+from verif.env.coverage.sampling import collector
 from verif.env.pipelined import Mismatch
 from verif.env.simulators import Simulator
 
@@ -64,21 +67,27 @@ class Setting:
     scenes: int
     rate_size: int
     kept: Path
+    seen: Seen | None = None
 
     @classmethod
     def of(cls, dut: Any) -> "Setting":
         """The setting of the simulation that this process is; its clock runs from here on."""
         run = context.read()
         extra: dict[str, Any] = dict(run.extra)
+        core = CoreDriver(dut, own_clock=not extra["stepped"])
+        seen = Seen(collector(run, COVERAGE)) if run.unit else None
+        if seen is not None:
+            core.listeners.append(seen.before_reset)
         return cls(
             run,
-            CoreDriver(dut, own_clock=not extra["stepped"]),
+            core,
             extra["build"],
             extra["simulator"],
             extra["most_pixels"],
             extra["scenes"],
             extra["rate_size"],
             run.directory / f"scene-{1 + len(list(run.directory.glob('scene-*.toml')))}.toml",
+            seen,
         )
 
     @property
@@ -113,7 +122,9 @@ class Setting:
         self, scene: st.SearchStrategy[Scene] | None = None, most: int | None = None
     ) -> st.SearchStrategy[Shot]:
         """Pictures small enough for this run."""
-        return shots(self.design.formats, most or self.most_pixels, scene or self.any_scene())
+        return shots(
+            self.design.formats, most or self.most_pixels, self.any_scene() if scene is None else scene
+        )
 
     def words(self, scene: Scene) -> tuple[int, ...]:
         """The packed frame, with the build's counters."""
@@ -121,7 +132,7 @@ class Setting:
 
     def expected(self, shot: Shot) -> Rendering:
         """The model's picture."""
-        return _rendered(shot.scene, shot.registers, self.build)
+        return _traced(shot.scene, shot.registers, self.build).picture
 
     async def example(self, width: int, height: int, name: str = "one_sphere") -> Shot:
         """A picture of a scene of the project, on a core just reset."""
@@ -147,7 +158,10 @@ class Setting:
 
     async def refused(self, words: Sequence[int]) -> Picture:
         """What comes of a frame that is not drawn."""
-        return await self.soon(self.core.draw(words), self.clocks())
+        got = await self.soon(self.core.draw(words), self.clocks())
+        if self.seen is not None:
+            self.seen.refused(got.fault)
+        return got
 
     async def draw(self, shot: Shot) -> Picture:
         """The core's picture; a hang fails."""
@@ -186,6 +200,11 @@ class Setting:
             raise Mismatch(f"{text[1]}\n{self._keep(shot, text[0])}")
         if self.core.breaches:
             raise Mismatch(f"{'; '.join(self.core.breaches)}\n{self._keep(shot, 0)}")
+        if self.seen is not None:
+            traced = _traced(shot.scene, shot.registers, self.build)
+            self.seen.picture(shot, traced, self.design.formats)
+            self.seen.sent(self.core.sent)
+            self.seen.waits(self.core.waits)
         return wanted
 
     def _keep(self, shot: Shot, pixel: int) -> str:
@@ -214,9 +233,9 @@ class Setting:
 
 
 @lru_cache(maxsize=4)
-def _rendered(scene: Scene, registers: Registers, build: str) -> Rendering:
-    """A picture is asked for several times: how long it takes, and what it is."""
-    return render(scene, registers, CORES[build].formats)
+def _traced(scene: Scene, registers: Registers, build: str) -> Traced:
+    """A picture is asked for several times: how long it takes, what it is, and what was seen in it."""
+    return Traced.of(scene, registers, CORES[build].formats)
 
 
 def differences(

@@ -24,6 +24,8 @@ _TIMES = 10
 """Undirected stimulus gets so many times the clocks that closure took."""
 _LEAST_CLOCKS = 20_000
 """And at least so many a parameter set: a closure of a few hundred clocks is within one portion's noise."""
+_ENOUGH_CLOCKS = 500_000
+"""Beyond these it gets no more than closure had."""
 
 Curve = tuple[tuple[int, int], ...]
 
@@ -131,7 +133,7 @@ def close(design: Design, *, seed: int, seconds: float, compare: bool, tell: Cal
         used.append((parameter_set, record.clocks))
     took = time.monotonic() - start
     for parameter_set, clocks in used if compare else ():
-        budget = max(_TIMES * clocks, _LEAST_CLOCKS)
+        budget = max(clocks, min(_TIMES * clocks, _ENOUGH_CLOCKS), _LEAST_CLOCKS)
         tell(f"{design.name}: {budget} clocks at random, {parameter_set}")
         how = {"mode": "undirected", "clocks": budget}
         undirected.add(_run(design, parameter_set, seed, undirected.known(), how))

@@ -19,7 +19,7 @@ from verif.env.clocking import PERIOD_NS
 from verif.env.coverage.points import Recipe
 from verif.env.coverage.sampling import clock_number
 
-_FIRST_SIZE, _LARGEST_SIZE = 32, 4096
+_FIRST_SIZE = 32
 _FRUITLESS = 6
 """Rounds of the largest size after which the holes that are left cannot be reached on this build."""
 _PATIENCE = 1_000_000
@@ -54,8 +54,8 @@ async def _directed(what: Subject, generator: Generator, seconds: float) -> None
         for recipe in _recipes(what):
             if any(recipe.name == left.name for left in what.coverage.holes().values()):
                 await _played(what.follow(recipe, generator, size), what)
-        size = min(2 * size, _LARGEST_SIZE)
-        fruitless = fruitless + 1 if size == _LARGEST_SIZE and what.coverage.holes() == holes else 0
+        fruitless = fruitless + 1 if size >= what.largest and what.coverage.holes() == holes else 0
+        size = min(2 * size, what.largest)
 
 
 def _recipes(what: Subject) -> list[Recipe]:
