@@ -98,6 +98,14 @@ def _is_power(values: Raw) -> NDArray[np.bool_]:
     return np.asarray((values > 1) & (values & (values - 1) == 0))
 
 
+def _positive_between(field: Field, values: Raw) -> NDArray[np.bool_]:
+    return np.asarray(~_is_power(values) & (values > 1) & (values < field.high - 1))
+
+
+def _negative_between(field: Field, values: Raw) -> NDArray[np.bool_]:
+    return np.asarray(~_is_power(-values) & (values < -1) & (values > field.low + 1))
+
+
 def _powers(field: Field, generator: Generator, size: int) -> Raw:
     exponents = generator.integers(1, max(2, field.high.bit_length()), size)
     return np.asarray(np.minimum(np.int64(1) << exponents, field.high), dtype=np.int64)
@@ -116,7 +124,7 @@ def _classes(signed: bool) -> dict[str, tuple[Matches, Values]]:
         "power_of_two": (lambda _, values: _is_power(values), _powers),
     }
     if not signed:
-        return {**found, "any_other": (lambda _, values: ~_is_power(values) & (values > 1), _others)}
+        return {**found, "any_other": (_positive_between, _others)}
     return {
         **found,
         "minus_one": _constant(lambda _: -1),
@@ -126,8 +134,8 @@ def _classes(signed: bool) -> dict[str, tuple[Matches, Values]]:
             lambda field, values: _is_power(-values) & (values != field.low),
             lambda field, generator, size: -np.minimum(_powers(field, generator, size), field.high // 2 + 1),
         ),
-        "other_positive": (lambda _, values: ~_is_power(values) & (values > 1), _positive),
-        "other_negative": (lambda _, values: ~_is_power(-values) & (values < -1), _negative),
+        "other_positive": (_positive_between, _positive),
+        "other_negative": (_negative_between, _negative),
     }
 
 
