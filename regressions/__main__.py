@@ -70,7 +70,7 @@ def _run(options: argparse.Namespace) -> int:
     planned = expand(run_list, seed)
     if options.only is not None:
         planned = chosen(planned, options.only)
-    return _regress(Order(run_list.name, seed, planned, _jobs(options.jobs)))
+    return run_order(Order(run_list.name, seed, planned, _jobs(options.jobs)))
 
 
 def _rerun(options: argparse.Namespace) -> int:
@@ -86,7 +86,7 @@ def _rerun(options: argparse.Namespace) -> int:
     else:
         planned = chosen(planned, options.pattern)
     name = old.list.removesuffix("-again") + "-again"
-    return _regress(Order(name, old.seed, tuple(map(_unrun, planned)), _jobs(options.jobs)))
+    return run_order(Order(name, old.seed, tuple(map(_unrun, planned)), _jobs(options.jobs)))
 
 
 def _unrun(result: Result) -> Result:
@@ -140,7 +140,7 @@ def _stopped_by_signals() -> Iterator[threading.Event]:
             signal.signal(number, handler)
 
 
-def _regress(order: Order) -> int:
+def run_order(order: Order) -> int:
     """Runs, reports, and says in the end where everything is."""
     folder = fresh_folder(order.list)
     with _stopped_by_signals() as stop:

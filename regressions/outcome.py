@@ -120,7 +120,7 @@ def _told(checks: Sequence[Check]) -> str:
     left out where the simulation has said it."""
     failed = sorted((c for c in checks if c.message), key=lambda check: not shrunk(check.message))
     failed = [check for check in failed if check.where.startswith("verif.")] or failed
-    return "\n\n".join(f"{check.name}: {check.message}" for check in failed)
+    return "\n\n".join(f"{check.name}: {check.message}" if check.where else check.message for check in failed)
 
 
 def _tail(folder: Path) -> str:
