@@ -17,7 +17,7 @@ ASSETS = Path(__file__).with_name("assets")
 
 _SCRIPTS = (
     *("dom", "data", "route", "table", "chart", "summary", "plan"),
-    *("functional", "closure", "code", "source", "mutation", "tests", "main"),
+    *("functional", "closure", "code", "words", "source", "mutation", "tests", "main"),
 )
 """One script in the end, in this order."""
 

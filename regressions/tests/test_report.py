@@ -375,3 +375,13 @@ def test_nothing_is_wider_than_the_screen(
     wide = browser.run("return document.documentElement.scrollWidth")
     driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
     assert int(str(wide)) <= width
+
+
+def test_a_request_of_a_page_would_be_noticed(
+    browser: Browser, driver: webdriver.Chrome, some: Record, tmp_path: Path
+) -> None:
+    (tmp_path / "page.html").write_text('<img src="http://127.0.0.1:9/missing.png">')
+    other = Browser(driver, tmp_path / "page.html")
+    other.open("summary")
+    WebDriverWait(driver, 20).until(lambda _: other.complaints())
+    assert "http" in other.asked()

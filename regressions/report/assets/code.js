@@ -8,18 +8,34 @@ function codeView() {
   return [
     h("h1", {}, "Code coverage"),
     table({
-      name: "files", caption: "Files", rows: files,
+      name: "files",
+      caption: "Files",
+      rows: files,
       columns: [
-        { title: "File", value: (row) => row.path, cell: (row) => h("a", { href: link("source", row.path) }, row.path) },
+        {
+          title: "File",
+          value: (row) => row.path,
+          cell: (row) => h("a", { href: link("source", row.path) }, row.path),
+        },
         ...KINDS.map((kind) => ({
-          title: kind, left: true, value: (row) => (row[`${kind}Needed`] ? row[kind] / row[`${kind}Needed`] : null),
-          cell: (row) => (row[`${kind}Needed`] + row[`${kind}Excluded`] ? meter(row[kind], row[`${kind}Needed`], row[`${kind}Excluded`]) : "–"),
+          title: kind,
+          left: true,
+          value: (row) => (row[`${kind}Needed`] ? row[kind] / row[`${kind}Needed`] : null),
+          cell: (row) =>
+            row[`${kind}Needed`] + row[`${kind}Excluded`]
+              ? meter(row[kind], row[`${kind}Needed`], row[`${kind}Excluded`])
+              : "–",
         })),
-        { title: "Missing", value: (row) => KINDS.reduce((total, kind) => total + row[`${kind}Needed`] - row[kind], 0) },
+        {
+          title: "Missing",
+          value: (row) => KINDS.reduce((total, kind) => total + row[`${kind}Needed`] - row[kind], 0),
+        },
       ],
     }),
     table({
-      name: "runs", caption: "What each run adds to the lines", rows: rows("runs"),
+      name: "runs",
+      caption: "What each run adds to the lines",
+      rows: rows("runs"),
       columns: [
         { title: "Run", value: (row) => row.name },
         { title: "Lines", value: (row) => row.lines },
@@ -33,6 +49,14 @@ function codeView() {
 
 function sourcesList(open = false) {
   const paths = Object.keys(section("texts"));
-  return h("details", { open }, h("summary", {}, `All ${number(paths.length)} sources`),
-    h("ul", { class: "plain" }, paths.map((path) => h("li", {}, h("a", { href: link("source", path) }, path)))));
+  return h(
+    "details",
+    { open },
+    h("summary", {}, `All ${number(paths.length)} sources`),
+    h(
+      "ul",
+      { class: "plain" },
+      paths.map((path) => h("li", {}, h("a", { href: link("source", path) }, path))),
+    ),
+  );
 }

@@ -13,8 +13,12 @@ function rows(name) {
   const key = `rows ${name}`;
   if (!known.has(key)) {
     const { columns, rows: values } = section(name);
-    known.set(key, values.map((row, index) =>
-      Object.fromEntries([["index", index], ...columns.map((column, at) => [column, row[at]])])));
+    known.set(
+      key,
+      values.map((row, index) =>
+        Object.fromEntries([["index", index], ...columns.map((column, at) => [column, row[at]])]),
+      ),
+    );
   }
   return known.get(key);
 }
@@ -24,11 +28,20 @@ function bins() {
   if (!known.has("bins")) {
     const units = rows("units");
     const points = rows("points").map((point) => ({ ...point, unit: units[point.unit] }));
-    known.set("bins", rows("bins").map((bin) => {
-      const point = points[bin.point];
-      const state = bin.excluded ? "excluded" : bin.hits ? "hit" : "hole";
-      return { ...bin, point, unit: point.unit, state, full: `${point.unit.name}.${point.name}.${bin.name}` };
-    }));
+    known.set(
+      "bins",
+      rows("bins").map((bin) => {
+        const point = points[bin.point];
+        const state = bin.excluded ? "excluded" : bin.hits ? "hit" : "hole";
+        return {
+          ...bin,
+          point,
+          unit: point.unit,
+          state,
+          full: `${point.unit.name}.${point.name}.${bin.name}`,
+        };
+      }),
+    );
   }
   return known.get("bins");
 }

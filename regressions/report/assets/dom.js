@@ -8,7 +8,9 @@ function fill(element, attributes, children) {
     else if (value === true) element.setAttribute(name, "");
     else if (value !== false && value !== null && value !== undefined) element.setAttribute(name, value);
   }
-  element.append(...children.flat(Infinity).filter((child) => child !== null && child !== undefined && child !== false));
+  element.append(
+    ...children.flat(Infinity).filter((child) => child !== null && child !== undefined && child !== false),
+  );
   return element;
 }
 
@@ -51,7 +53,13 @@ function bar(good, whole) {
 /** A bar with its numbers. */
 function meter(good, whole, excluded = 0) {
   const out = excluded ? h("span", { class: "quiet" }, ` (${number(excluded)} excluded)`) : null;
-  const text = h("span", {}, `${percent(good, whole)} `, h("span", { class: "quiet" }, `${number(good)}/${number(whole)}`), out);
+  const text = h(
+    "span",
+    {},
+    `${percent(good, whole)} `,
+    h("span", { class: "quiet" }, `${number(good)}/${number(whole)}`),
+    out,
+  );
   return h("span", { class: "meter" }, bar(good, whole), text);
 }
 
@@ -63,7 +71,9 @@ function badge(word) {
 function tell(text) {
   const line = document.getElementById("told");
   line.textContent = text;
-  setTimeout(() => { if (line.textContent === text) line.textContent = ""; }, 2500);
+  setTimeout(() => {
+    if (line.textContent === text) line.textContent = "";
+  }, 2500);
 }
 
 async function copy(text) {
@@ -77,12 +87,28 @@ async function copy(text) {
 
 /** A command line with a button that copies it. */
 function command(text) {
-  const button = h("button", { type: "button", class: "copy", "aria-label": `Copy: ${text}`, onclick: () => copy(text) }, "Copy");
+  const button = h(
+    "button",
+    { type: "button", class: "copy", "aria-label": `Copy: ${text}`, onclick: () => copy(text) },
+    "Copy",
+  );
   return h("div", { class: "command" }, h("code", { tabindex: "0" }, text), button);
 }
 
 /** Names and values, those that are there. */
 function facts(pairs) {
-  const there = pairs.filter(([, value]) => value !== "" && value !== null && value !== undefined && value !== false);
-  return h("dl", { class: "facts" }, there.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))));
+  const there = pairs.filter(
+    ([, value]) => value !== "" && value !== null && value !== undefined && value !== false,
+  );
+  return h(
+    "dl",
+    { class: "facts" },
+    there.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, value))),
+  );
+}
+
+/** The head of a table that is not sorted. */
+function headRow(...titles) {
+  const cells = titles.map((title) => h("th", { scope: "col" }, title));
+  return h("thead", {}, h("tr", {}, cells));
 }

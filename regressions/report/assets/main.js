@@ -1,9 +1,14 @@
 /* The views by name, and which one is shown. */
 
 const VIEWS = {
-  summary: ["Summary", summaryView], plan: ["Plan", planView], functional: ["Functional", functionalView],
-  closure: ["Closure", closureView], code: ["Code", codeView], source: ["Source", sourceView],
-  mutation: ["Mutation", mutationView], tests: ["Tests", testsView],
+  summary: ["Summary", summaryView],
+  plan: ["Plan", planView],
+  functional: ["Functional", functionalView],
+  closure: ["Closure", closureView],
+  code: ["Code", codeView],
+  source: ["Source", sourceView],
+  mutation: ["Mutation", mutationView],
+  tests: ["Tests", testsView],
 };
 
 let drawnAt = null;
@@ -26,15 +31,21 @@ function draw() {
 
 /** Keys: / goes to the filter; n and p press the buttons that say so. */
 function press(event) {
-  if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input, select, textarea")) return;
-  const wanted = event.key === "/" ? document.querySelector("main input[type=search]") : document.querySelector(`main button[data-key="${CSS.escape(event.key)}"]`);
+  if (event.ctrlKey || event.metaKey || event.altKey || event.target.matches("input, select, textarea"))
+    return;
+  const wanted =
+    event.key === "/"
+      ? document.querySelector("main input[type=search]")
+      : document.querySelector(`main button[data-key="${CSS.escape(event.key)}"]`);
   if (!wanted) return;
   event.preventDefault();
   if (event.key === "/") wanted.focus();
   else wanted.click();
 }
 
-document.getElementById("nav").append(...Object.entries(VIEWS).map(([name, [title]]) => h("a", { href: link(name) }, title)));
+document
+  .getElementById("nav")
+  .append(...Object.entries(VIEWS).map(([name, [title]]) => h("a", { href: link(name) }, title)));
 document.querySelector(".brand").textContent = section("summary").list;
 addEventListener("hashchange", draw);
 addEventListener("keydown", press);

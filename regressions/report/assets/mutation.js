@@ -6,19 +6,34 @@ function mutationView(open) {
   return [
     h("h1", {}, "Mutation"),
     table({
-      name: "mutation", caption: "Units", rows: units,
+      name: "mutation",
+      caption: "Units",
+      rows: units,
       columns: [
         { title: "Unit", value: (row) => row.unit },
-        { title: "Score", value: (row) => row.score, left: true, cell: (row) => meter(row.killed, row.mutants - row.equivalent) },
+        {
+          title: "Score",
+          value: (row) => row.score,
+          left: true,
+          cell: (row) => meter(row.killed, row.mutants - row.equivalent),
+        },
         { title: "Mutants", value: (row) => row.mutants },
         { title: "Killed", value: (row) => row.killed, wide: true },
         { title: "Equivalent", value: (row) => row.equivalent, wide: true },
         { title: "Undecided", value: (row) => row.undecided },
-        { title: "Undecided share", value: (row) => row.undecided / row.mutants, cell: (row) => `${((100 * row.undecided) / row.mutants).toFixed(1)} %`, wide: true },
+        {
+          title: "Undecided share",
+          value: (row) => row.undecided / row.mutants,
+          cell: (row) => `${((100 * row.undecided) / row.mutants).toFixed(1)} %`,
+          wide: true,
+        },
       ],
     }),
     table({
-      name: "survivors", caption: "Survivors and undecided", rows: rows("survivors"), open,
+      name: "survivors",
+      caption: "Survivors and undecided",
+      rows: rows("survivors"),
+      open,
       key: (row) => `${row.unit}.${row.number}`,
       facet: { value: (row) => row.verdict, order: ["survived", "undecided"] },
       columns: [
@@ -35,6 +50,19 @@ function mutationView(open) {
 }
 
 function mutantDetail(mutant) {
-  return facts([["mutant", h("a", { href: link("mutation", `${mutant.unit}.${mutant.number}`) }, `${mutant.unit}.${mutant.number}`)], ["verdict", badge(mutant.verdict)], ["change", h("code", {}, mutant.change)], ["source", place(mutant.place)],
-    ["shown by", mutant.witness ? h("pre", {}, mutant.witness) : "no operand is known"], ["accepted because", mutant.reason]]);
+  return facts([
+    [
+      "mutant",
+      h(
+        "a",
+        { href: link("mutation", `${mutant.unit}.${mutant.number}`) },
+        `${mutant.unit}.${mutant.number}`,
+      ),
+    ],
+    ["verdict", badge(mutant.verdict)],
+    ["change", h("code", {}, mutant.change)],
+    ["source", place(mutant.place)],
+    ["shown by", mutant.witness ? h("pre", {}, mutant.witness) : "no operand is known"],
+    ["accepted because", mutant.reason],
+  ]);
 }

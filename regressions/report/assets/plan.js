@@ -6,7 +6,10 @@ function planView(open) {
   return [
     h("h1", {}, "Plan"),
     table({
-      name: "plan", caption: "Promises", rows: promises, open,
+      name: "plan",
+      caption: "Promises",
+      rows: promises,
+      open,
       key: (row) => row.name,
       facet: { value: (row) => row.standing, order: ["failed", "hole", "not run", "passed"] },
       search: (row) => [...row.tests.map(([name]) => name), ...row.points.map(([name]) => name)].join(" "),
@@ -28,10 +31,26 @@ function sum(found, place) {
 }
 
 function promise({ what, tests, points, place: where }) {
-  return h("div", {}, h("p", {}, what), where.length ? h("p", {}, "Declared in ", place(where)) : null,
-    h("h4", {}, "Tests"), h("ul", { class: "plain" }, tests.map(([name, status]) => h("li", {}, badge(status), " ", h("code", {}, name)))),
+  return h(
+    "div",
+    {},
+    h("p", {}, what),
+    where.length ? h("p", {}, "Declared in ", place(where)) : null,
+    h("h4", {}, "Tests"),
+    h(
+      "ul",
+      { class: "plain" },
+      tests.map(([name, status]) => h("li", {}, badge(status), " ", h("code", {}, name))),
+    ),
     points.length ? h("h4", {}, "Cover points") : null,
-    h("ul", { class: "plain" }, points.map(([name, hit, needed]) => h("li", {}, meter(hit, needed), " ", h("a", { href: link("functional", name) }, name)))));
+    h(
+      "ul",
+      { class: "plain" },
+      points.map(([name, hit, needed]) =>
+        h("li", {}, meter(hit, needed), " ", h("a", { href: link("functional", name) }, name)),
+      ),
+    ),
+  );
 }
 
 function absent(what) {

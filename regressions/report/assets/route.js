@@ -4,7 +4,11 @@
 function route() {
   const [path, query = ""] = location.hash.slice(1).split("?");
   const [view, ...rest] = path.split("/");
-  return { view: view || "summary", rest: rest.map(decodeURIComponent).join("/"), query: new URLSearchParams(query) };
+  return {
+    view: view || "summary",
+    rest: rest.map(decodeURIComponent).join("/"),
+    query: new URLSearchParams(query),
+  };
 }
 
 /** The fragment of a view, and of one thing in it. */

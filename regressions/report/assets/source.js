@@ -1,46 +1,85 @@
-/* One source file: hits of each line, what is missing on it, what is excluded and why, and which runs hit it. */
+/* One source file: hits of each line, what is missing on it, what is excluded and why, which runs hit it. */
 
-const LINE = 0, BRANCH = 1, TOGGLE = 3;
-const POINTS_SHOWN = 40;
+const [LINE, BRANCH, , TOGGLE] = [0, 1, 2, 3];
 const LETTERS = ["L", "B", "E", "T"];
-const [VERILOG, PYTHON] = ["\\/\\/.*|\\/\\*.*?\\*\\/", "#.*"].map((comment) => new RegExp([
-  `(${comment})`, String.raw`("(?:[^"\\]|\\.)*")`,
-  String.raw`\b(module|endmodule|input|output|inout|wire|reg|assign|always|begin|end|if|else|case|endcase|default|parameter|localparam|function|endfunction|generate|endgenerate|genvar|for|posedge|negedge|integer|signed|initial|def|return|lambda|from|import|class|in|not|and|or|True|False|None)\b`,
-].join("|"), "g"));
+const POINTS_SHOWN = 40;
 
 function sourceView(rest) {
   const [, path, line] = /^(.*?)(?::(\d+))?$/.exec(rest);
-  const text = section("texts")[path];
-  if (text === undefined || !Object.hasOwn(section("texts"), path)) return [h("h1", {}, "Source"), h("p", {}, path ? `${path} is not on this page.` : "Choose a file."), sourcesList(true)];
-  const lines = covered(path);
-  const mutants = survivorsOf(path);
-  const body = h("tbody", {}, text.replace(/\n$/, "").split("\n").map((words, index) => sourceLine(path, index + 1, words, lines.get(index + 1), mutants.get(index + 1))));
-  const marked = Number(line) || 0;
-  body.children[marked - 1]?.classList.add("target");
-  const next = (way) => step(body, way);
-  requestAnimationFrame(() => body.children[marked - 1]?.scrollIntoView({ block: "center" }));
+  if (!Object.hasOwn(section("texts"), path)) {
+    const why = path ? `${path} is not on this page.` : "Choose a file.";
+    return [h("h1", {}, "Source"), h("p", {}, why), sourcesList(true)];
+  }
+  const body = h("tbody", {}, sourceLines(path));
+  const target = body.children[Number(line) - 1];
+  target?.classList.add("target");
+  requestAnimationFrame(() => target?.scrollIntoView({ block: "center" }));
+  const head = headRow("line", "hits", "points", "source");
+  const frame = { class: "scroll", role: "region", tabindex: "0", "aria-label": `Source of ${path}` };
   return [
-    h("h1", { class: "path" }, path), picker(path), fileTotals(path),
-    h("div", { class: "tools sticky" },
-      h("button", { type: "button", "data-key": "p", onclick: () => next(-1) }, "Previous missing (p)"),
-      h("button", { type: "button", "data-key": "n", onclick: () => next(1) }, "Next missing (n)"),
-      h("span", { class: "legend" }, h("span", { class: "sample hit" }, "hit"), h("span", { class: "sample part" }, "in part"), h("span", { class: "sample miss" }, "not hit"), h("span", { class: "sample out" }, "excluded"),
-        h("span", { class: "quiet wide" }, "B branches, E expressions, T toggles, M mutants that survived"))),
-    h("div", { class: "scroll", role: "region", tabindex: "0", "aria-label": `Source of ${path}` }, h("table", { class: "source" },
-      h("thead", {}, h("tr", {}, ["line", "hits", "points", "source"].map((title) => h("th", { scope: "col" }, title)))), body)),
+    h("h1", { class: "path" }, path),
+    picker(path),
+    fileTotals(path),
+    sourceTools(body),
+    h("div", frame, h("table", { class: "source" }, head, body)),
   ];
 }
 
+function sourceLines(path) {
+  const lines = covered(path);
+  const mutants = survivorsOf(path);
+  const pattern = language(path);
+  const texts = section("texts")[path].replace(/\n$/, "").split("\n");
+  return texts.map((text, index) => {
+    const number = index + 1;
+    return sourceLine(path, number, coloured(text, pattern), lines.get(number), mutants.get(number));
+  });
+}
+
+function sourceTools(body) {
+  const move = (key, title, way) =>
+    h(
+      "button",
+      { type: "button", "data-key": key, onclick: () => step(body, way) },
+      `${title} missing (${key})`,
+    );
+  const samples = { hit: "hit", part: "in part", miss: "not hit", out: "excluded" };
+  const legend = Object.entries(samples).map(([state, title]) =>
+    h("span", { class: `sample ${state}` }, title),
+  );
+  const letters = "B branches, E expressions, T toggles, M mutants that survived";
+  return h(
+    "div",
+    { class: "tools sticky" },
+    move("p", "Previous", -1),
+    move("n", "Next", 1),
+    h("span", { class: "legend" }, legend, h("span", { class: "quiet wide" }, letters)),
+  );
+}
+
 function picker(path) {
-  const select = h("select", { "aria-label": "File", onchange: () => { location.hash = link("source", select.value); } },
-    Object.keys(section("texts")).map((name) => h("option", { value: name, selected: name === path }, name)));
+  const select = h(
+    "select",
+    {
+      "aria-label": "File",
+      onchange: () => {
+        location.hash = link("source", select.value);
+      },
+    },
+    Object.keys(section("texts")).map((name) => h("option", { value: name, selected: name === path }, name)),
+  );
   return h("p", {}, select);
 }
 
 function fileTotals(path) {
   const file = rows("files").find((found) => found.path === path);
   if (!file) return h("p", { class: "quiet" }, "No code coverage was measured of this file.");
-  return facts(KINDS.filter((kind) => file[`${kind}Needed`] + file[`${kind}Excluded`]).map((kind) => [kind, meter(file[kind], file[`${kind}Needed`], file[`${kind}Excluded`])]));
+  return facts(
+    KINDS.filter((kind) => file[`${kind}Needed`] + file[`${kind}Excluded`]).map((kind) => [
+      kind,
+      meter(file[kind], file[`${kind}Needed`], file[`${kind}Excluded`]),
+    ]),
+  );
 }
 
 /** Points of a file by line, and the hits of each line that a line or branch point is about. */
@@ -74,7 +113,10 @@ function toggles(path) {
     for (let place = 0; place < found.length; place += 2) {
       const bit = found[place] >> 1;
       const name = `${signal}${bit < 0 ? "" : `[${bit}]`}:${found[place] & 1 ? "1->0" : "0->1"}`;
-      points.push([line, { kind: TOGGLE, name, hits: found[place + 1], runs: sets[set], excluded: reasons[reason] }]);
+      points.push([
+        line,
+        { kind: TOGGLE, name, hits: found[place + 1], runs: sets[set], excluded: reasons[reason] },
+      ]);
     }
     return points;
   });
@@ -100,14 +142,34 @@ function stateOf({ points, hits, excluded }) {
 function sourceLine(path, line, words, found, mutants) {
   const state = found ? stateOf(found) : "";
   const element = h("tr", { class: state || null, "data-line": line });
-  const marks = found || mutants ? h("button", { type: "button", class: "marks", "aria-expanded": "false", "aria-label": `Points of line ${line}`, onclick: () => unfold(element, marks, found, mutants) }, tallies(found), mutants ? h("span", { class: "mutant" }, "M") : null) : null;
-  const why = found ? found.excluded || found.points.find((point) => point.excluded)?.excluded : "";
+  const why = found?.excluded || found?.points.find((point) => point.excluded)?.excluded;
+  const cross = state === "miss" ? h("span", { class: "cross", "aria-label": "not hit" }, "✗") : null;
   element.append(
     h("th", { scope: "row" }, h("a", { href: link("source", `${path}:${line}`) }, String(line))),
-    h("td", { class: "hits" }, found && found.hits !== null ? [state === "miss" ? h("span", { class: "cross", "aria-label": "not hit" }, "✗") : null, number(found.hits)] : ""),
-    h("td", {}, marks),
-    h("td", { class: "code" }, h("code", {}, colours(words, path.endsWith(".v") || path.endsWith(".vh") ? VERILOG : PYTHON)), why ? h("span", { class: "why", title: why }, `excluded: ${why}`) : null));
+    h("td", { class: "hits" }, found && found.hits !== null ? [cross, number(found.hits)] : ""),
+    h("td", {}, found || mutants ? marks(element, line, found, mutants) : null),
+    h(
+      "td",
+      { class: "code" },
+      h("code", {}, words),
+      why ? h("span", { class: "why" }, `excluded: ${why}`) : null,
+    ),
+  );
   return element;
+}
+
+/** The button that says in short what is on a line, and opens it below. */
+function marks(element, line, found, mutants) {
+  const mutant = mutants ? h("span", { class: "mutant" }, "M") : null;
+  const named = {
+    type: "button",
+    class: "marks",
+    "aria-expanded": "false",
+    "aria-label": `Points of line ${line}`,
+  };
+  const button = h("button", named, tallies(found), mutant);
+  button.addEventListener("click", () => unfold(element, button, found, mutants));
+  return button;
 }
 
 /** Hit of needed points by kind: `B 1/2`; lines are in the column of hits. */
@@ -117,7 +179,11 @@ function tallies(found) {
     const needed = found.points.filter((point) => point.kind === kind && !point.excluded);
     if (!needed.length || kind === LINE) return null;
     const hit = needed.filter((point) => point.hits).length;
-    return h("span", { class: hit === needed.length ? "tally" : "tally short" }, `${letter} ${hit}/${needed.length}`);
+    return h(
+      "span",
+      { class: hit === needed.length ? "tally" : "tally short" },
+      `${letter} ${hit}/${needed.length}`,
+    );
   });
 }
 
@@ -125,7 +191,14 @@ function unfold(element, button, found, mutants) {
   const opened = button.getAttribute("aria-expanded") === "true";
   button.setAttribute("aria-expanded", String(!opened));
   if (opened) element.nextElementSibling.remove();
-  else element.after(h("tr", { class: "detail" }, h("td", { colspan: 4 }, found ? lineDetail(found) : null, (mutants ?? []).map(mutantDetail))));
+  else
+    element.after(
+      h(
+        "tr",
+        { class: "detail" },
+        h("td", { colspan: 4 }, found ? lineDetail(found) : null, (mutants ?? []).map(mutantDetail)),
+      ),
+    );
 }
 
 function lineDetail({ points, runs }) {
@@ -134,10 +207,29 @@ function lineDetail({ points, runs }) {
   const draw = (from, until) => list.append(...order.slice(from, until).map(pointRow));
   draw(0, POINTS_SHOWN);
   const left = order.length - POINTS_SHOWN;
-  const more = left > 0 ? h("button", { type: "button", onclick: () => { draw(POINTS_SHOWN); more.remove(); } }, `${number(left)} more points`) : null;
-  return h("div", {},
-    points.length ? h("table", { class: "inner" }, h("thead", {}, h("tr", {}, ["kind", "point", "hits", "runs", "excluded"].map((title) => h("th", { scope: "col" }, title)))), list) : null, more,
-    runs.size ? h("p", {}, `The line is hit by ${number(runs.size)} runs: `, runsNamed([...runs])) : null);
+  const more =
+    left > 0
+      ? h(
+          "button",
+          {
+            type: "button",
+            onclick: () => {
+              draw(POINTS_SHOWN);
+              more.remove();
+            },
+          },
+          `${number(left)} more points`,
+        )
+      : null;
+  return h(
+    "div",
+    {},
+    points.length
+      ? h("table", { class: "inner" }, headRow("kind", "point", "hits", "runs", "excluded"), list)
+      : null,
+    more,
+    runs.size ? h("p", {}, `The line is hit by ${number(runs.size)} runs: `, runsNamed([...runs])) : null,
+  );
 }
 
 function missing(point) {
@@ -145,8 +237,15 @@ function missing(point) {
 }
 
 function pointRow({ kind, name, hits, runs, excluded }) {
-  return h("tr", { class: hits ? null : excluded ? "out" : "miss" }, h("td", {}, KINDS[kind]), h("td", {}, h("code", {}, name)),
-    h("td", { class: "number" }, number(hits)), h("td", {}, runsNamed(runs)), h("td", {}, excluded));
+  return h(
+    "tr",
+    { class: hits ? null : excluded ? "out" : "miss" },
+    h("td", {}, KINDS[kind]),
+    h("td", {}, h("code", {}, name)),
+    h("td", { class: "number" }, number(hits)),
+    h("td", {}, runsNamed(runs)),
+    h("td", {}, excluded),
+  );
 }
 
 /** The first few by name, and how many there are besides. */
@@ -154,19 +253,12 @@ function runsNamed(runs) {
   const names = runs.slice(0, 6).map((run) => rows("runs")[run].name);
   const rest = runs.slice(6).map((run) => rows("runs")[run].name);
   if (!rest.length) return names.join(", ");
-  const more = h("button", { type: "button", class: "quiet", onclick: () => more.replaceWith(`, ${rest.join(", ")}`) }, `and ${number(rest.length)} more`);
+  const more = h(
+    "button",
+    { type: "button", class: "quiet", onclick: () => more.replaceWith(`, ${rest.join(", ")}`) },
+    `and ${number(rest.length)} more`,
+  );
   return [`${names.join(", ")} `, more];
-}
-
-/** The words with comments, texts and keywords in their colours. */
-function colours(words, language) {
-  const parts = [];
-  let from = 0;
-  for (const match of words.matchAll(language)) {
-    parts.push(words.slice(from, match.index), h("span", { class: match[1] ? "comment" : match[2] ? "string" : "word" }, match[0]));
-    from = match.index + match[0].length;
-  }
-  return [...parts, words.slice(from)];
 }
 
 /** Goes to the next line, or the one before, on which something is missing. */
