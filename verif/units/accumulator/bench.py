@@ -17,7 +17,8 @@ from verif.env.fields import Field
 
 _LATENCY = 2
 _COLOUR = Field.of("term_colour", formats(Knobs()).shade, 3)
-_MOST = _COLOUR.high
+MOST = _COLOUR.high
+"""Of a channel of a term."""
 _PART = 200
 """Clocks of the long run with one manner."""
 
@@ -59,7 +60,7 @@ class Pixel:
 
 
 def _added(one: Colour, other: Colour) -> Colour:
-    return tuple(min(left + right, _MOST) for left, right in zip(one, other, strict=True))
+    return tuple(min(left + right, MOST) for left, right in zip(one, other, strict=True))
 
 
 def _word(colour: Colour) -> int:
@@ -169,7 +170,7 @@ def _slots(bench: AccumulatorBench) -> st.SearchStrategy[list[int]]:
 def _clocks(bench: AccumulatorBench, slots: list[int]) -> st.SearchStrategy[list[Clock]]:
     """Clocks of these slots, with work enough that some pixels take long."""
     most = bench.most_work - 1
-    lane = st.sampled_from([0, 1, _MOST // 2, _MOST // 2 + 1, _MOST]) | st.integers(0, _MOST)
+    lane = st.sampled_from([0, 1, MOST // 2, MOST // 2 + 1, MOST]) | st.integers(0, MOST)
     count = st.sampled_from([min(count, most) for count in (0, 1, 1, 2, 5, most)])
     slot = st.sampled_from(slots)
     more = st.none() | st.builds(More, slot, count)
@@ -206,7 +207,7 @@ async def a_long_run_matches_the_dictionary(dut: Any) -> None:
         slots = generator.choice(bench.slots, size=int(generator.choice([1, 2, bench.slots])), replace=False)
         most = int(generator.choice([1, 2, 3, bench.most_work]))
         dense_more, dense_term = generator.choice([0.2, 0.5, 1.0]), generator.choice([0.5, 0.9, 1.0])
-        bright = int(generator.choice([_MOST >> 9, _MOST >> 2, _MOST]))
+        bright = int(generator.choice([MOST >> 9, MOST >> 2, MOST]))
         mores, terms = generator.random((2, _PART)) < [[dense_more], [dense_term]]
         counts = generator.integers(0, min(most, bench.most_work), size=_PART)
         more_slots, term_slots = generator.choice(slots, size=(2, _PART)).tolist()
@@ -248,7 +249,7 @@ async def a_slot_completes_a_pixel_in_every_clock(dut: Any) -> None:
         before, pixels = bench.complete, 2 * bench.slots
         slots = islice(cycle(order), pixels)
         await bench.steps(
-            Clock(term=Term(slot, (number, _MOST - number, slot))) for number, slot in enumerate(slots)
+            Clock(term=Term(slot, (number, MOST - number, slot))) for number, slot in enumerate(slots)
         )
         await bench.steps([Clock()] * _LATENCY)
         same("pixels", pixels, bench.complete - before)
@@ -258,7 +259,7 @@ async def a_slot_completes_a_pixel_in_every_clock(dut: Any) -> None:
 async def a_pixel_of_the_most_work_takes_as_many_terms(dut: Any) -> None:
     """All that its counts hold, several times over, a term in every clock; one lane saturates in each."""
     bench, _ = await _bench(dut)
-    bright = _MOST // (bench.most_work - 1)
+    bright = MOST // (bench.most_work - 1)
     for lane in range(3):
         before = bench.complete
         await bench.step(Clock(More(lane % bench.slots, bench.most_work - 1)))
