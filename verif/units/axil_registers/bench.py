@@ -73,6 +73,8 @@ class RegistersBench(Block):
 
     def __init__(self, dut: Any, run: context.Context) -> None:
         super().__init__(dut, idle=PULSES)
+        # The master lets clocks pass too: `_watch` samples, not `clock`.
+        self.watched, self.signals = self.signals, None
         self.build = Build.of(run.parameters)
         self.generator = run.generator(0)
         self.set(rst=0, **dict.fromkeys(CORE, 0))
@@ -109,6 +111,8 @@ class RegistersBench(Block):
     async def _watch(self) -> None:
         while self._complaint is None:
             await self.clocking.edge
+            if self.watched is not None:
+                self.watched.sample()
             try:
                 for name, expected in self._model.outputs().items():
                     same(name, expected, self.read(name))
@@ -463,7 +467,8 @@ async def the_core_is_read_as_it_is(dut: Any) -> None:
         same("STATUS.busy", busy, REGISTERS["STATUS"].values(found["STATUS"])["busy"])
 
 
-def _actions(resets: bool) -> st.SearchStrategy[list[Action]]:
+def actions(resets: bool) -> st.SearchStrategy[list[Action]]:
+    """One to thirty of them; resets: these among them."""
     known = st.sampled_from([register.address for register in REGISTERS.values()])
     written = st.sampled_from([register.address for register in REGISTERS.values() if register.writable])
     words = st.integers(0, _ALL) | st.integers(0, 8) | st.sampled_from([0x02000200, 0x93CD, 0x1000, 0x80000])
@@ -499,14 +504,13 @@ def _actions(resets: bool) -> st.SearchStrategy[list[Action]]:
     return st.lists(st.one_of(kinds), min_size=1, max_size=30)
 
 
-_PAUSES = st.tuples(*(st.lists(st.booleans(), max_size=6) for _ in axi.CHANNELS))
+PAUSES = st.tuples(*(st.lists(st.booleans(), max_size=6) for _ in axi.CHANNELS))
 
 
-async def _sequence(
-    bench: RegistersBench, actions: Sequence[Action], pauses: Sequence[Sequence[bool]]
-) -> None:
+async def play(bench: RegistersBench, sequence: Sequence[Action], pauses: Sequence[Sequence[bool]]) -> None:
+    """A sequence from reset, with pauses of the channels; all answers are the model's."""
     await bench.restart(pauses)
-    for action in actions:
+    for action in sequence:
         await bench.act(action)
     await bench.finish()
     await bench.sweep()
@@ -517,10 +521,10 @@ async def every_sequence_of_accesses_and_events_is_as_the_map_says(dut: Any) -> 
     """Drawn accesses, one behind or beside the other, events of the core, pauses of each channel."""
     bench, run = await RegistersBench.create(dut)
 
-    async def example(actions: list[Action], pauses: Sequence[Sequence[bool]]) -> None:
-        await _sequence(bench, actions, pauses)
+    async def example(drawn: list[Action], pauses: Sequence[Sequence[bool]]) -> None:
+        await play(bench, drawn, pauses)
 
-    await holds(run, example, _actions(resets=False), _PAUSES)
+    await holds(run, example, actions(resets=False), PAUSES)
 
 
 @cocotb.test()
@@ -546,10 +550,10 @@ async def reset_at_any_moment_drops_what_is_under_way(dut: Any) -> None:
     """The same with resets among them: no answer of before comes after, the next access is exact."""
     bench, run = await RegistersBench.create(dut)
 
-    async def example(actions: list[Action], pauses: Sequence[Sequence[bool]]) -> None:
-        await _sequence(bench, actions, pauses)
+    async def example(drawn: list[Action], pauses: Sequence[Sequence[bool]]) -> None:
+        await play(bench, drawn, pauses)
 
-    await holds(run, example, _actions(resets=True), _PAUSES)
+    await holds(run, example, actions(resets=True), PAUSES)
 
 
 @cocotb.test()

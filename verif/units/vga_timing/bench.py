@@ -22,15 +22,15 @@ class TimingBench(Block):
 
     def __init__(self, dut: Any, mode: Mode) -> None:
         super().__init__(dut, idle=())
-        self._mode = mode
+        self.mode = mode
         self._wave = waveform(mode)
 
     def _expected(self, clock: int) -> dict[str, int]:
         """What the outputs are, so many clocks after reset; x and y where the place is seen."""
-        across, down = self._mode.horizontal, self._mode.vertical
+        across, down = self.mode.horizontal, self.mode.vertical
         # Reset is the first clock behind the back porch of the first line that is not seen.
         start = (down.lead + down.active) * across.total + across.lead
-        time = (start + clock) % self._mode.clocks
+        time = (start + clock) % self.mode.clocks
         line, place = divmod(time, across.total)
         expected = {
             "hsync": int(self._wave.hsync[time]),
