@@ -1,4 +1,4 @@
-"""What must have been seen of the registers: each read, written and refused, orders, strobes, waits, events."""
+"""What must have been seen of the registers: each read, written and refused, strobes, waits, events."""
 
 from collections.abc import Sequence
 
@@ -11,18 +11,7 @@ from verif.env.coverage.points import Bin, Coverage, Holds, Point, Recipe, Sampl
 from verif.env.unit import Parameters
 
 ACCESSES, WAITS, RESETS, EVENTS = (scenario(name) for name in ("accesses", "waits", "resets", "events"))
-_BUS = (
-    "awvalid",
-    "awready",
-    "wvalid",
-    "wready",
-    "bvalid",
-    "bready",
-    "arvalid",
-    "arready",
-    "rvalid",
-    "rready",
-)
+_BUS = tuple(f"{channel}{side}" for channel in ("aw", "w", "b", "ar", "r") for side in ("valid", "ready"))
 _OKAY, _SLVERR = 0, 2
 
 
@@ -125,7 +114,6 @@ def _answers(channel: str) -> tuple[Bin, ...]:
 
 
 _STROBES = {"none": (0,), "one": (1, 2, 4, 8), "some": (3, 5, 6, 7, 9, 10, 11, 12, 13, 14), "all": (15,)}
-_CHANNELS = ("aw", "w", "b", "ar", "r")
 
 COVERAGE = Coverage(
     signals=(

@@ -1,4 +1,4 @@
-"""What must have been seen of the timing: every edge of the pulses, corners of the screen, resets everywhere."""
+"""What must have been seen of the timing: edges of the pulses, corners of the screen, resets."""
 
 import numpy as np
 from numpy.typing import NDArray
