@@ -6,8 +6,8 @@
     python -m regressions show [--of ID]            a regression's summary
 
 `--of` names another regression than the latest. Each has a folder `build/regressions/<id>/` with its
-`record.json`, `summary.md`, `junit.xml` and a folder for each run. Exit code 0 where everything passed, 1
-where not, 2 where the request cannot be understood.
+`record.json`, `summary.md`, `junit.xml`, `report.html` and a folder for each run. Exit code 0 where
+everything passed, 1 where not, 2 where the request cannot be understood.
 """
 
 import argparse
@@ -28,6 +28,7 @@ from regressions.lists import ListError
 from regressions.progress import Progress
 from regressions.record import Record, RecordError, Result, Status
 from regressions.regression import LATEST, RECORD, Order, fresh_folder, regress
+from regressions.report.page import PAGE, page
 
 _SEEDS = 1 << 31
 
@@ -147,6 +148,7 @@ def run_order(order: Order) -> int:
         found = regress(order, folder, stop, Progress(len(order.planned)))
     (folder / "summary.md").write_text(markdown.summary(found))
     (folder / "junit.xml").write_text(junit.xml(found))
+    (folder / PAGE).write_text(page(found))
     print("\n".join(_last_words(found, folder)))
     return 0 if found.passed else 1
 

@@ -14,9 +14,7 @@ from pathlib import Path
 
 from regressions import record
 from regressions.regression import FOLDER, LATEST, RECORD
-from regressions.report.page import page
-
-PAGE = "report.html"
+from regressions.report.page import PAGE, page
 
 
 def main(arguments: Sequence[str]) -> int:

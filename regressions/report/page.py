@@ -13,6 +13,9 @@ from regressions.record import Record
 from regressions.report.data import sections
 from regressions.report.texts import texts
 
+PAGE = "report.html"
+"""The file, beside the record."""
+
 ASSETS = Path(__file__).with_name("assets")
 
 _SCRIPTS = (

@@ -6,6 +6,8 @@ const HEIGHT = 300,
   TOP = 14,
   BOTTOM = 38;
 
+const SHORT = new Intl.NumberFormat("en", { notation: "compact" });
+
 /** Bins hit at a clock, of steps that grow. */
 function at(steps, clock) {
   let low = 0,
@@ -52,7 +54,7 @@ function chart(series, title) {
       svg(
         "text",
         { x: x(10 ** power), y: y(0) + 16, class: power === decades ? "tick end" : "tick middle" },
-        number(10 ** power),
+        SHORT.format(10 ** power),
       ),
     );
   }
