@@ -1,5 +1,6 @@
 """Two clocks of any ratio and phase, for designs with `clk` and `pixel_clk`, and their resets."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -46,11 +47,16 @@ def ratios(slower: int = 12, faster: int = 12) -> st.SearchStrategy[Ratio]:
 
 
 class Clocks:
-    """Both clocks; they stand still until `run`. core: for agents of the core's side."""
+    """Both clocks; they stand still until `run`. core: for agents of the core's side.
+
+    ``restarted`` hear of each `run`, ``resets`` of each reset of one side: "core" or "screen".
+    """
 
     def __init__(self, dut: Any) -> None:
         self._dut = dut
         self._running: list[Clock] = []
+        self.restarted: list[Callable[[Ratio], None]] = []
+        self.resets: list[Callable[[str], None]] = []
         self.ratio = Ratio(PIXEL_PS)
         self.core = Clocking(dut, own_clock=True)
         self.pixel_edge = RisingEdge(dut.pixel_clk)
@@ -69,12 +75,19 @@ class Clocks:
         if ratio.phase_ps:
             await Timer(ratio.phase_ps, "ps")
         core.start()
-        await self.pixel_reset()
+        await self._pixel_reset(0)
         await self.core.edge
         self._dut.rst.value = 0
+        for listener in self.restarted:
+            listener(ratio)
 
     async def pixel_reset(self, more: int = 0) -> None:
         """Resets the screen's side for as long as it needs, and some of the slower clocks more."""
+        for listener in self.resets:
+            listener("screen")
+        await self._pixel_reset(more)
+
+    async def _pixel_reset(self, more: int) -> None:
         await self.pixel_edge
         self._dut.pixel_rst.value = 1
         await Timer((_RESET_CLOCKS + more) * self.ratio.slower_ps, "ps")
@@ -83,6 +96,8 @@ class Clocks:
 
     async def core_reset(self, clocks: int) -> None:
         """Resets the core's side alone."""
+        for listener in self.resets:
+            listener("core")
         self._dut.rst.value = 1
         await self.core.cycles(clocks)
         self._dut.rst.value = 0

@@ -131,6 +131,11 @@ class Assembler:
             channels = [packed >> 16 & 255, packed >> 8 & 255, packed & 255]
             self.pictures.append(np.stack(channels, axis=-1).astype(np.uint8))
 
+    @property
+    def receiving(self) -> bool:
+        """A picture has begun and may become complete."""
+        return self._receiving
+
     def drop(self) -> None:
         """The core's side is reset: what is not complete is lost."""
         self._receiving = False

@@ -1,6 +1,6 @@
 """Sends pictures to a design's `s_axis_video`, and knows from what was taken which of them are complete."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,10 @@ from verif.video.pictures import SIZE_W, VIDEO, Assembler, Painter, Shot, words
 
 
 class Sender:
-    """Source, monitor and model of the stream; they stand still until `start`."""
+    """Source, monitor and model of the stream; they stand still until `start`.
+
+    ``listeners`` hear of each picture that is queued.
+    """
 
     def __init__(self, dut: Any, clocking: Clocking, store: Store) -> None:
         self._generator = context.read().generator(0)
@@ -26,6 +29,7 @@ class Sender:
         self._monitor.listeners.append(lambda word: self.assembler.receive(word))
         self.assembler = Assembler()
         self.queued = 0
+        self.listeners: list[Callable[[Shot], None]] = []
 
     def stop(self) -> None:
         """Offers nothing any more, and forgets what was queued; what was taken is known."""
@@ -62,6 +66,8 @@ class Sender:
             queued = list(words(shot, picture, self._generator))
             self._source.send_words(queued)
             self.queued += len(queued)
+            for listener in self.listeners:
+                listener(shot)
             if shot.whole:
                 whole.append(picture)
         return whole

@@ -14,6 +14,7 @@ from verif.env.pipelined import Mismatch
 from verif.video.clocks import Clocks, Ratio, ratios
 from verif.video.modes import store_of
 from verif.video.pictures import Shot, shots
+from verif.video.seen import watch
 from verif.video.sender import Sender
 
 Codes = NDArray[np.uint32]
@@ -37,6 +38,7 @@ class BufferBench:
         self._dut = dut
         self.clocks = Clocks(dut)
         self.sender = Sender(dut, self.clocks.core, self.store)
+        self.seen = watch(self.run, self.store, self.clocks, self.sender)
         self.shown = -1
         dut.swap.value = 0
         dut.address.value = 0
@@ -107,9 +109,16 @@ class BufferBench:
         expected = self._stored(self.shown + 1), self._stored(self.shown)
         if expected[0] is not None and np.array_equal(codes, expected[0]):
             self.shown += 1
+            self._told("the_next_picture")
         elif expected[1] is None or not np.array_equal(codes, expected[1]):
             raise Mismatch(f"behind picture {self.shown}:\n{codes}\nis shown, the next one is\n{expected[0]}")
+        else:
+            self._told("no_picture_yet" if self.shown < 0 else "the_same_picture")
         return self.shown
+
+    def _told(self, name: str) -> None:
+        if self.seen is not None:
+            self.seen.tell(f"swap.{name}")
 
     async def watch(self, gaps: Sequence[int] = ()) -> None:
         """Swaps and looks until all is sent and the last picture is shown."""

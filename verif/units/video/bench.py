@@ -16,6 +16,7 @@ from verif.video.clocks import PIXEL_PS, Clocks, Ratio, ratios
 from verif.video.modes import mode_of, store_of
 from verif.video.pictures import Shot, check_order, shots
 from verif.video.samples import Screen
+from verif.video.seen import watch
 from verif.video.sender import Sender
 
 _DELAY = 4
@@ -33,6 +34,7 @@ class VideoBench:
         self.full = Shot(self.store.width, self.store.height)
         self.clocks = Clocks(dut)
         self.sender = Sender(dut, self.clocks.core, self.store)
+        self.seen_bins = watch(self.run, self.store, self.clocks, self.sender)
         self._screen = Screen(dut, self.mode, self.mode.clocks * PIXEL_PS)
         self.seen: list[Rgb] = []
 
