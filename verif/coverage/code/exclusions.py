@@ -1,16 +1,18 @@
 """What code coverage leaves out, and why: read from TOML, held to the text of the design and to what was hit.
 
     [[exclude]]
-    file = "hdl/arith/sqrt_step.v"      # or a pattern, as hdl/**/*.v
-    code = "operand ="                  # is on the line that is meant, so that edits above it change nothing
-    types = ["toggle"]                  # line, branch, expr, toggle
-    signal = "operand"                  # of toggles, where not all signals of the line are meant
-    bits = "7:4"                        # of that signal, where not all are meant
-    what = "add==1"                     # is in the name of the point, where not all on the line are meant
     reason = "The low bit of an odd number is 1."
     owner = "verification"
     review = 2027-06-30
     proof = "make unit UNIT=sqrt"       # where there is one
+    types = ["toggle"]                  # line, branch, expr, toggle
+    places = [
+        { file = "hdl/arith/sqrt_step.v", code = "operand =", signal = "operand", bits = "7:4,0" },
+    ]
+
+One reason may hold in many places. `file` may be a pattern, as `hdl/**/*.v`. `code` is on the line meant, so
+that edits above it change nothing. `signal` and `bits` are of toggles, where not all of the line are meant;
+`what` is in the name of the point, as `add==1`, where not all on the line are meant.
 
 An exclusion says that its points cannot be hit. It is stale where it matches nothing, where that was hit all
 the same, or where its date has passed.
@@ -31,8 +33,10 @@ from verif.env import sources
 
 FILE = Path(__file__).with_name("exclusions.toml")
 
-_REQUIRED = ("file", "code", "types", "reason", "owner", "review")
-_OPTIONAL = ("signal", "bits", "what", "proof")
+_REQUIRED = ("reason", "owner", "review", "types", "places")
+_OPTIONAL = ("proof",)
+_PLACE = ("file", "code")
+_OPTIONAL_OF_PLACE = ("signal", "bits", "what")
 _TOGGLE = re.compile(r"(?P<signal>.*?)(\[(?P<bit>\d+)\])?:(?P<edge>0->1|1->0)")
 
 
@@ -60,7 +64,7 @@ class Toggle:
 
 @dataclass(frozen=True)
 class Exclusion:
-    """One entry; see above. bits: the excluded ones, highest and lowest, None for all."""
+    """One place of an entry; see above. bits: the excluded ones as (highest, lowest), none for all."""
 
     file: str
     code: str
@@ -69,13 +73,14 @@ class Exclusion:
     owner: str
     review: datetime.date
     signal: str | None = None
-    bits: tuple[int, int] | None = None
+    bits: tuple[tuple[int, int], ...] = ()
     what: str = ""
     proof: str = ""
 
     def __str__(self) -> str:
         named = f" {self.signal or self.what}" if self.signal or self.what else ""
-        bits = "[{}:{}]".format(*self.bits) if self.bits else ""
+        ranges = (str(high) if high == low else f"{high}:{low}" for high, low in self.bits)
+        bits = f"[{','.join(ranges)}]" if self.bits else ""
         return f"{self.file}, `{self.code}`{named}{bits}"
 
     @property
@@ -96,7 +101,7 @@ class Exclusion:
         toggle = Toggle.of(point.what)
         if toggle.signal != self.signal:
             return False
-        return self.bits is None or self.bits[1] <= (toggle.bit or 0) <= self.bits[0]
+        return not self.bits or any(low <= (toggle.bit or 0) <= high for high, low in self.bits)
 
 
 @dataclass(frozen=True)
@@ -117,36 +122,45 @@ class Review:
         return tuple(sorted(p for p, hits in points.items() if not hits.count and p not in self.excluded))
 
 
-def _bits(text: str) -> tuple[int, int]:
-    high, _, low = text.partition(":")
-    return int(high), int(low or high)
+def _bits(text: str) -> tuple[tuple[int, int], ...]:
+    ranges = (part.partition(":") for part in text.split(","))
+    return tuple((int(high), int(low or high)) for high, _, low in ranges)
 
 
-def _entry(path: Path, number: int, entry: Mapping[str, Any]) -> Exclusion:
-    where = f"{path}, entry {number} ({entry.get('file', '?')})"
-    for name in _REQUIRED:
+def _checked(where: str, entry: Mapping[str, Any], required: Sequence[str], optional: Sequence[str]) -> None:
+    for name in required:
         if not entry.get(name):
             raise ExclusionError(f"{where}: has no {name}; write one")
     for name in entry:
-        if name not in (*_REQUIRED, *_OPTIONAL):
+        if name not in (*required, *optional):
             raise ExclusionError(
-                f"{where}: {name} is no field; there are {', '.join((*_REQUIRED, *_OPTIONAL))}"
+                f"{where}: {name} is no field; there are {', '.join((*required, *optional))}"
             )
+
+
+def _place(where: str, common: Mapping[str, Any], place: Mapping[str, Any]) -> Exclusion:
+    _checked(where, place, _PLACE, _OPTIONAL_OF_PLACE)
+    if "bits" in place and "signal" not in place:
+        raise ExclusionError(f"{where}: bits are those of a signal; name it in signal")
+    try:
+        bits = _bits(place["bits"]) if "bits" in place else ()
+    except (ValueError, AttributeError):
+        raise ExclusionError(f'{where}: bits={place["bits"]!r} is not like "7:4,1"') from None
+    return Exclusion(**common, **{**place, "bits": bits})
+
+
+def _entry(path: Path, number: int, entry: Mapping[str, Any]) -> Iterator[Exclusion]:
+    where = f"{path}, entry {number}"
+    _checked(where, entry, _REQUIRED, _OPTIONAL)
     if not isinstance(entry["review"], datetime.date):
         raise ExclusionError(f"{where}: review={entry['review']!r} is no date such as 2027-06-30")
-    if "bits" in entry and "signal" not in entry:
-        raise ExclusionError(f"{where}: bits are those of a signal; name it in signal")
     try:
         kinds = tuple(Kind(kind) for kind in entry["types"])
     except ValueError as error:
         raise ExclusionError(f"{where}: types: {error}; choose of {', '.join(Kind)}") from None
-    try:
-        bits = _bits(entry["bits"]) if "bits" in entry else None
-    except (ValueError, AttributeError):
-        raise ExclusionError(f'{where}: bits={entry["bits"]!r} is not like "7:4" or "3"') from None
-    texts = {name: str(entry[name]) for name in ("file", "code", "reason", "owner")}
-    more = {name: entry[name] for name in ("signal", "what", "proof") if name in entry}
-    return Exclusion(**texts, kinds=kinds, review=entry["review"], bits=bits, **more)
+    common = {name: value for name, value in entry.items() if name not in ("types", "places")}
+    for place in entry["places"]:
+        yield _place(f"{where}, {place.get('file', '?')}", {**common, "kinds": kinds}, place)
 
 
 def read(path: Path | None = None) -> tuple[Exclusion, ...]:
@@ -157,7 +171,7 @@ def read(path: Path | None = None) -> tuple[Exclusion, ...]:
     except (OSError, tomllib.TOMLDecodeError) as error:
         raise ExclusionError(f"{file}: cannot be read: {error}") from error
     entries: Sequence[Mapping[str, Any]] = found.get("exclude", [])
-    return tuple(_entry(file, number, entry) for number, entry in enumerate(entries, 1))
+    return tuple(place for number, entry in enumerate(entries, 1) for place in _entry(file, number, entry))
 
 
 def _contradicted(exclusion: Exclusion, matched: Mapping[Point, Hits]) -> str | None:

@@ -4,8 +4,8 @@ A line is ``C '<\\x01key\\x02value...>' count`` with the keys f (file), l (line)
 o (comment), S (lines that are hit with the point) and h (instance). Only the design counts: testbenches,
 harnesses and changed copies of a file lie outside `hdl/`.
 
-Sinks of unused bits, as ``wire unused_x = &{1'b0, x};``, are no design either: they are 0 whatever happens,
-and tell lint that something is left open on purpose.
+What is called `unused_...` is no design either: nothing reads it, and it tells lint that something is left
+open on purpose. In ``wire unused_x = &{1'b0, x};`` the expression is as little of it.
 """
 
 import re
@@ -58,6 +58,10 @@ def sinks(text: str) -> frozenset[int]:
     return frozenset(lines)
 
 
+def _unused(point: Point) -> bool:
+    return point.kind is Kind.TOGGLE and point.what.rpartition(".")[2].startswith("unused_")
+
+
 @cache
 def _sinks_of(file: str) -> frozenset[int]:
     return sinks((sources.ROOT / file).read_text())
@@ -89,7 +93,7 @@ def read(path: Path, test: str) -> CodeCoverage:
                 file = str(Path(keys["f"]).relative_to(sources.ROOT))
                 kind = Kind(keys["t"])
                 point = Point(file, int(keys["l"]), int(keys["n"]), kind, _plain(kind, keys["o"]))
-                if point.line in _sinks_of(file):
+                if point.line in _sinks_of(file) or _unused(point):
                     continue
                 hits = Hits(count, frozenset({test} if count else ()), _span(keys.get("S", "")))
                 points[point] = points[point] + hits if point in points else hits

@@ -57,8 +57,8 @@ def test_a_run_that_is_kept_again_replaces_what_it_hit() -> None:
 def test_a_stale_exclusion_is_exit_code_1(capsys: pytest.CaptureFixture[str]) -> None:
     _keep("sqrt-narrow", 3, 1)
     exclusions.FILE.write_text(
-        f'[[exclude]]\nfile = "{_FILE}"\ncode = "wire [k:0] r;"\ntypes = ["toggle"]\n'
-        'reason = "none"\nowner = "me"\nreview = 2999-01-01\n'
+        '[[exclude]]\nreason = "none"\nowner = "me"\nreview = 2999-01-01\ntypes = ["toggle"]\n'
+        f'places = [{{ file = "{_FILE}", code = "wire [k:0] r;" }}]\n'
     )
     assert command.main(["report"]) == 1
     assert "stale exclusion: hdl/arith/sqrt.v, `wire [k:0] r;`: all that it" in capsys.readouterr().err

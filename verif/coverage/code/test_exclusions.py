@@ -14,7 +14,14 @@ _FILE = "hdl/a.v"
 _TEXTS = {_FILE: ["wire [3:0] q = {1'b0, x};", "if (a && b) y <= 1'b1;", "wire [1:0] p, r;"]}
 
 _TOP_BIT = Exclusion(
-    _FILE, "q = {1'b0", (Kind.TOGGLE,), "constant", "me", datetime.date(2031, 1, 1), signal="q", bits=(3, 3)
+    _FILE,
+    "q = {1'b0",
+    (Kind.TOGGLE,),
+    "constant",
+    "me",
+    datetime.date(2031, 1, 1),
+    signal="q",
+    bits=((3, 3),),
 )
 
 
@@ -61,7 +68,7 @@ def test_a_pattern_means_many_files() -> None:
 
 
 def test_of_an_expression_what_is_left_is_left_out() -> None:
-    exclusion = replace(_TOP_BIT, code="if (a", kinds=(Kind.EXPRESSION,), signal=None, bits=None)
+    exclusion = replace(_TOP_BIT, code="if (a", kinds=(Kind.EXPRESSION,), signal=None, bits=())
     review = _apply(exclusion, _expression("(a==1) => 1", 3), _expression("(a==0) => 0", 0))
     assert [point.what for point in review.excluded] == ["(a==0) => 0"]
     assert not review.problems
@@ -74,10 +81,10 @@ def test_of_an_expression_what_is_left_is_left_out() -> None:
         (replace(_TOP_BIT, code="q = 4'd0"), _both("q[3]"), "no line holds this code"),
         (_TOP_BIT, _both("q[2]"), "there is no such point"),
         (_TOP_BIT, _both("q[3]", 1, 1), "all that it leaves out was hit"),
-        (replace(_TOP_BIT, bits=(3, 2)), {**_both("q[3]"), **_both("q[2]", 1, 1)}, r"q\[2\] was hit"),
+        (replace(_TOP_BIT, bits=((3, 2),)), {**_both("q[3]"), **_both("q[2]", 1, 1)}, r"q\[2\] was hit"),
         (replace(_TOP_BIT, review=datetime.date(2029, 12, 31)), _both("q[3]"), "reviewed by 2029-12-31"),
         (
-            replace(_TOP_BIT, code="if", kinds=(Kind.EXPRESSION,), signal=None, bits=None, what="(a"),
+            replace(_TOP_BIT, code="if", kinds=(Kind.EXPRESSION,), signal=None, bits=(), what="(a"),
             {**_expression("(a==1) => 1", 3), **_expression("(a==0) => 0", 0)},
             r"\(a==1\) => 1 was hit",
         ),
@@ -95,27 +102,28 @@ def test_where_not_everything_was_run_an_exclusion_may_match_nothing() -> None:
 
 
 _GOOD = {
-    "file": '"hdl/a.v"',
-    "code": '"q ="',
     "types": '["toggle"]',
-    "signal": '"q"',
-    "bits": '"3:2"',
     "reason": '"constant"',
     "owner": '"me"',
     "review": "2031-01-01",
 }
+_PLACE = {"file": '"hdl/a.v"', "code": '"q ="', "signal": '"q"', "bits": '"3:2,0"'}
 
 
 def _written(folder: Path, **changes: str | None) -> Path:
-    entry = {name: value for name, value in {**_GOOD, **changes}.items() if value is not None}
+    changed = {**_GOOD, **{name: value for name, value in changes.items() if name not in _PLACE}}
+    place = {name: changes.get(name, value) for name, value in _PLACE.items()}
+    entry, places = (
+        [f"{name} = {value}" for name, value in of.items() if value is not None] for of in (changed, place)
+    )
     path = folder / "exclusions.toml"
-    path.write_text("[[exclude]]\n" + "".join(f"{name} = {value}\n" for name, value in entry.items()))
+    path.write_text("\n".join(["[[exclude]]", *entry, f"places = [{{ {', '.join(places)} }}]", ""]))
     return path
 
 
 def test_an_entry_is_read(tmp_path: Path) -> None:
     (found,) = read(_written(tmp_path))
-    assert found == replace(_TOP_BIT, code="q =", bits=(3, 2))
+    assert found == replace(_TOP_BIT, code="q =", bits=((3, 2), (0, 0)))
 
 
 @pytest.mark.parametrize(

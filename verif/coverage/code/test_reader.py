@@ -76,6 +76,12 @@ def test_sinks_of_unused_bits_are_not_the_design() -> None:
     assert sinks(text) == {3, 4, 5, 6}
 
 
+def test_signals_that_nothing_reads_are_not_the_design(tmp_path: Path) -> None:
+    names = ("unused_valid:0->1", "g[1].unused_rest[3]:1->0", "used:0->1")
+    found = _read(tmp_path, *(_line("toggle", name, 0) for name in names))
+    assert [point.what for point in found.points] == ["used:0->1"]
+
+
 def test_points_of_a_sink_are_not_read(tmp_path: Path) -> None:
     text = _SQRT.with_name("sqrt_step.v").read_text()
     (number,) = sinks(text)

@@ -235,6 +235,19 @@ async def faults_are_found_exactly_and_only_where_they_are(dut: Any) -> None:
 
 
 @cocotb.test()
+async def an_eye_at_the_center_of_interest_sees_nothing(dut: Any) -> None:
+    """Anywhere, the corners of the room included; one step off it does."""
+    bench = await CameraBench.create(dut)
+    size = Registers(3, 2, _FORMATS.tan.one, _FORMATS.tan.one)
+    coord = _FORMATS.coord
+    for place in ((0, 0, 0), (coord.min, coord.max, coord.min), (7, 8, 9)):
+        x, y, z = place
+        beside = (x, y - 1, z)
+        same("refused", Fault.CAMERA_POSITION, await bench.run(Camera(place, (0, 0, 1), place), size))
+        same("drawn", Fault.NONE, await bench.run(Camera(place, (0, 0, 1), beside), size))
+
+
+@cocotb.test()
 async def the_smallest_step_beside_the_view_is_an_up(dut: Any) -> None:
     """Views and ups of one step along the axes: their product is one step, or nothing."""
     bench = await CameraBench.create(dut)

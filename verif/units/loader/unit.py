@@ -1,6 +1,8 @@
-"""The loader: the book's counters, and the capacity of this slice of the core."""
+"""The loader: the book's counters, the capacity of this slice of the core, and the widest counters."""
 
 from verif.env.unit import Break, Unit
+
+_KINDS = ("LIGHT", "SPHERE", "TRIANGLE")
 
 UNIT = Unit(
     name="loader",
@@ -12,7 +14,10 @@ UNIT = Unit(
         "MAX_SPHERES": 3,
         "MAX_TRIANGLES": 15,
     },
-    sets={"slice": {"MAX_LIGHTS": 1, "MAX_SPHERES": 1, "MAX_TRIANGLES": 0}},
+    sets={
+        "slice": {"MAX_LIGHTS": 1, "MAX_SPHERES": 1, "MAX_TRIANGLES": 0},
+        "widest": {f"{kind}_COUNT_W": 8 for kind in _KINDS} | {f"MAX_{kind}S": 255 for kind in _KINDS},
+    },
     breaks=(
         Break("scene/loader.v", "assign finish = busy_reg && (", "assign finish = ("),
         Break(
