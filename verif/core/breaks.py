@@ -20,6 +20,7 @@ RUNS: Mapping[str, Case] = MappingProxyType(
         "frames": Case("frames", ONE, share=0.3),
         "faults": Case("faults", ONE, share=0.3),
         "corrupt": Case("corrupt", ONE),
+        "resets": Case("resets", ONE),
         "rooms": Case("rooms", ONE, share=0.3),
         "streams": Case("streams", ONE, share=0.3),
         "many units": Case("pictures", THREE, share=0.2, scenes=100),
@@ -81,6 +82,13 @@ BREAKS = (
         "starved = reading && lacking;",
         "starved = reading && lacking && section_reg != S_TAIL;",
         "corrupt",
+    ),
+    # Reset: one state does not see it.
+    Break(
+        "control.v",
+        "if (rst) state_reg <= S_IDLE;",
+        "if (rst && state_reg != S_START_CAMERA) state_reg <= S_IDLE;",
+        "resets",
     ),
     # Pixels: present where they are not; a reset that leaves one behind.
     Break("pixel/pixel_queue.v", "if (rst) present_reg <=", "if (1'b0) present_reg <=", "faults"),

@@ -91,6 +91,7 @@ CASES = (
     Case("faults", ONE, share=0.5),
     Case("rooms", ONE, share=0.5),
     Case("streams", ONE, share=0.5),
+    Case("resets", ONE),
     Case("pictures", THREE, scenes=250),
     Case("rooms", THREE, share=0.5),
     Case("streams", THREE, share=0.5),

@@ -16,6 +16,7 @@
 //   pixels            pixels in the file
 //   unknown           a pixel since reset had an X or a Z in it
 //   latency           clocks from the first word of the frame to its last pixel
+//   control_state, load_section   where control and loader are, for benches that reset there
 //   breaches, waits   see core_watch; waits: the ray store has no places for the children of a ray of
 //                     depth 1, 2, ..., then no room for primary rays, steps, hits, terms, pixels
 //   probe_x, probe_y  a pixel all of whose events are written to probe.txt, while probe_on is high;
@@ -73,6 +74,8 @@ module core_tb #(
     output reg  [            31:0] pixels,
     output reg                     unknown,
     output reg  [            31:0] latency,
+    output wire [             3:0] control_state,
+    output wire [             2:0] load_section,
     output wire [             3:0] breaches,
     output wire [             8:0] waits,
     input  wire                    probe_on,
@@ -134,6 +137,9 @@ module core_tb #(
         .lights_at_point    (lights_at_point),
         .degenerate         (degenerate)
     );
+
+    assign control_state = dut.u_control.state_reg;
+    assign load_section  = dut.u_loader.section_reg;
 
     // ------------------------------------------------------------- pixels
     // Objects by slot; slots leave in the order 0, 1, 2, ... of each frame.

@@ -12,6 +12,10 @@ from verif.core.driver import StreamedCore
 from verif.core.setting import Setting
 from verif.core.strategies import Shot
 from verif.env.block import holds, same
+from verif.env.simulators import Simulator
+
+_LONG, _LONG_ON_ICARUS = 20_000, 300
+"""Clocks: of several frames, and of many queues."""
 
 
 @cocotb.test()
@@ -42,6 +46,26 @@ async def waiting_on_either_side_neither_loses_nor_changes_a_pixel(dut: Any) -> 
         same("busy behind the last pixel", False, setting.core.busy)
 
     await holds(setting.run, example, setting.shots(), waits, waits)
+
+
+@cocotb.test()
+async def streams_that_are_stuck_for_long_lose_nothing(dut: Any) -> None:
+    """The words of a frame in its middle, then the consumer of the pixels, then both, of frames in a row."""
+    setting = Setting.of(dut)
+    streams = StreamedCore(dut, setting.core)
+    long = _LONG_ON_ICARUS if setting.simulator == Simulator.ICARUS else _LONG
+    shot = await setting.example(3, 2)
+    await streams.reset(shot.registers)
+    words, number = setting.words(shot.scene), 6
+    middle = [long if place == len(words) // 2 else 0 for place in range(len(words))]
+    drawn = []
+    for idles, stalls in ((middle, []), ([], [0, 0, long, 0, 0, 0]), (middle, [long, 0, 0, 0, 0, long])):
+        streams.stall(stalls)
+        streams.send(words, idles)
+        got = await setting.collected(shot, streams.pixels(number), sum(idles) + sum(stalls))
+        drawn.append(setting.same_pixels(shot, colours([word for word, _, _ in got.words])))
+        same("busy behind the last pixel", False, setting.core.busy)
+    setting.same_since_reset(*drawn)
 
 
 def colours(words: Sequence[int]) -> NDArray[np.uint8]:

@@ -93,8 +93,11 @@ class Block:
         for _ in range(number):
             await self.clock()
 
-    async def reset(self, cycles: int = 2) -> None:
-        """Resets the block, wherever it is; the next clock is the first one after it."""
+    async def reset(self, cycles: int = 1) -> None:
+        """Resets the block, wherever it is; the next clock is the first one after it.
+
+        One clock must be enough: in a second one a state that is not reset would have moved on to one that is.
+        """
         self.set(**dict.fromkeys(self._idle, 0))
         await self.clock(rst=1)
         for _ in range(cycles - 1):

@@ -19,10 +19,11 @@ class Clocking:
         self._dut = dut
         self.edge = RisingEdge(dut.clk)
         if not own_clock:
-            Clock(dut.clk, PERIOD_NS, "ns", impl="gpi").start()
+            # Low at first: an edge at time 0 would come before the reset that it should see.
+            Clock(dut.clk, PERIOD_NS, "ns", impl="gpi").start(start_high=False)
 
-    async def reset(self, cycles: int = 2) -> None:
-        """Holds reset for some clocks; returns at the edge after which the design runs."""
+    async def reset(self, cycles: int = 1) -> None:
+        """Holds reset for some clocks; one must do. Returns at the edge after which the design runs."""
         self._dut.rst.value = 1
         await self.cycles(cycles)
         self._dut.rst.value = 0

@@ -89,6 +89,23 @@ class StreamBench:
         await self.clocking.cycles(4)
         return self.check(number)
 
+    async def stuck(self, operands: Operands, clocks: int) -> None:
+        """A sink that takes nothing for so long while operands wait, then all; then none comes for as long.
+
+        Mismatch where anything moves while the sink is stuck, or a result is lost or one comes of nothing.
+        """
+        self._sink.stop()
+        limit = self.send(operands)
+        held = []
+        for part in (clocks // 2, clocks - clocks // 2):
+            await self.clocking.cycles(part)
+            held.append((len(self._in.transfers.taken), len(self._out.transfers.taken)))
+        if held[0] != held[1] or held[1][1]:
+            raise Mismatch(f"operands and results taken while the sink is stuck: {held[0]}, later {held[1]}")
+        self._sink.start()
+        await self.clocking.cycles(limit + clocks)
+        self.check(count(operands))
+
     def check(self, number: int) -> tuple[Transfers, Transfers]:
         """Raises Mismatch where any agent saw something wrong; else what was seen since the last call."""
         given, got = self._in.take(), self._out.take()

@@ -18,6 +18,8 @@ from verif.env.stream_bench import StreamBench
 from verif.env.unit import StreamUnit
 
 _CHUNK = 500
+_STUCK = 1000
+"""Clocks: many times any latency, and any counter that a unit of this kind has."""
 _RATE_STREAM, _DEFINITION_STREAM = 1 << 16, 1 << 17
 _WAITS = st.lists(st.integers(0, 5) | st.integers(0, 60), max_size=6)
 
@@ -31,6 +33,7 @@ def standard_stream_tests(unit: StreamUnit, *statements: Definition) -> dict[str
         reset_drops_what_is_in_flight_and_nothing_after,
         rate_and_latency_are_as_promised,
         a_result_waits_for_as_long_as_it_must,
+        sides_that_are_stuck_for_long_lose_nothing,
     )
     bodies += tuple(_as_body(statement) for statement in statements)
     return {body.__name__: _as_test(body, unit) for body in bodies}
@@ -143,3 +146,8 @@ async def a_result_waits_for_as_long_as_it_must(bench: StreamBench, run: context
     """A sink that stalls for many times the latency gets every result, unchanged, once."""
     drawn = mixed(bench.unit, run.generator(_RATE_STREAM), run, 4)
     await bench.run(drawn, stalls=[5 * bench.unit.latency(run.parameters)])
+
+
+async def sides_that_are_stuck_for_long_lose_nothing(bench: StreamBench, run: context.Context) -> None:
+    """A sink that is stuck holds everything, a source that is stuck makes nothing; released, all is exact."""
+    await bench.stuck(mixed(bench.unit, run.generator(_RATE_STREAM), run, 4), _STUCK)
