@@ -200,9 +200,9 @@ class Mutation:
 
 @dataclass(frozen=True)
 class Promise:
-    """A promise of the verification plan joined with what ran. unit: `specification` where it is the
-    specification's; tests: names with the worst status of their runs; points: names of cover points, with
-    bins hit and bins needed; standing: whether it holds."""
+    """A promise of the verification plan joined with what ran. unit: the folder of the plan; tests: names
+    with the worst status of their runs; points: names of cover points, with bins hit and needed; standing:
+    whether it holds."""
 
     unit: str
     name: str
@@ -211,6 +211,19 @@ class Promise:
     tests: Mapping[str, Status] = field(default_factory=dict)
     points: Mapping[str, tuple[int, int]] = field(default_factory=dict)
     standing: Standing = Standing.NOT_RUN
+
+
+@dataclass(frozen=True)
+class Rule:
+    """An entry of the specification. kind: `rule` or `fault`; section: where the text is; promises: names of
+    those that fulfil it; standing: the worst of theirs."""
+
+    name: str
+    kind: str
+    section: str
+    text: str
+    promises: tuple[str, ...]
+    standing: Standing
 
 
 @dataclass(frozen=True)
@@ -238,6 +251,7 @@ class Record:
     code_runs: tuple[str, ...] = ()
     mutation: tuple[Mutation, ...] = ()
     plan: tuple[Promise, ...] = ()
+    rules: tuple[Rule, ...] = ()
     notes: tuple[str, ...] = ()
 
     @property

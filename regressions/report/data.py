@@ -71,6 +71,7 @@ def sections(record: Record, texts: Texts) -> dict[str, Table]:
         "buckets": _buckets(record),
         "results": _results(record),
         "plan": _plan(record, places),
+        "rules": _rules(record),
         **_functional(record, places),
         "curves": _curves(record),
         **_code(record),
@@ -105,9 +106,11 @@ def _cards(record: Record) -> Table:
     judged = sum(unit.mutants - unit.equivalent for unit in record.mutation)
     equivalent = sum(unit.equivalent for unit in record.mutation)
     kept = sum(promise.standing is Standing.PASSED for promise in record.plan)
+    fulfilled = sum(rule.standing is Standing.PASSED for rule in record.rules)
     shares = {
         ("Runs passed", "tests"): Share(passed, 0, len(record.results)),
         ("Promises kept", "plan"): Share(kept, 0, len(record.plan)),
+        ("Rules and faults fulfilled", "plan"): Share(fulfilled, 0, len(record.rules)),
         ("Functional bins", "functional"): Share.of((found.hits, found.excluded) for found in bins),
         **{
             (f"Code: {kind}", "code"): Share.of((p.hits, p.excluded) for p in code if p.kind is kind)
@@ -192,6 +195,11 @@ def _plan(record: Record, places: Places) -> Table:
         for promise in record.plan
     )
     return _table("unit name what standing tests points place", rows)
+
+
+def _rules(record: Record) -> Table:
+    rows = ((r.name, r.kind, r.section, r.text, r.standing, r.promises) for r in record.rules)
+    return _table("name kind section text standing promises", rows)
 
 
 def _functional(record: Record, places: Places) -> dict[str, Table]:

@@ -4,17 +4,17 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from regressions.record import Check, Promise, Record, Result, Status
+from regressions.record import Check, Promise, Record, Result, Rule, Status
 from regressions.sections.notes import noted
 from verif.plan import join
-from verif.plan.read import read_plans
+from verif.plan.read import read_plans, read_specification
 from verif.plan.records import PlanError
 
 
 def added(record: Record, _root: Path) -> Record:
     """The record with how every promise stands."""
     try:
-        plans = read_plans()
+        plans, specification = read_plans(), read_specification()
     except PlanError as error:
         return noted(record, [str(error)])
     bins = {
@@ -26,7 +26,8 @@ def added(record: Record, _root: Path) -> Record:
     excluded = {name for name, found in bins.items() if found.excluded}
     hits = {name: found.hits for name, found in bins.items()}
     verdicts = join.join(plans, join.fold(outcomes(record)), hits, excluded)
-    return replace(record, plan=tuple(map(_promise, verdicts)))
+    rules = join.join_rules(specification, verdicts)
+    return replace(record, plan=tuple(map(_promise, verdicts)), rules=tuple(map(_rule, rules)))
 
 
 def outcomes(record: Record) -> Iterator[tuple[str, str, str]]:
@@ -55,3 +56,7 @@ def _promise(verdict: join.Verdict) -> Promise:
         verdict.points,
         verdict.standing,
     )
+
+
+def _rule(verdict: join.RuleVerdict) -> Rule:
+    return Rule(verdict.id, verdict.kind, verdict.section, verdict.text, verdict.promises, verdict.standing)

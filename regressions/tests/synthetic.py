@@ -3,7 +3,7 @@
 Points lie on real lines of the design, so that pages of them show real sources.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,6 +23,7 @@ from regressions.record import (
     Promise,
     Record,
     Result,
+    Rule,
     Status,
     Unit,
 )
@@ -58,6 +59,7 @@ def record(seed: int, size: Size = Size()) -> Record:
     generator = np.random.default_rng(seed)
     results = tuple(_result(generator, number) for number in range(size.results))
     units = (_square_root(results, generator), *_units(generator, results, size.bins))
+    plan = tuple(_promise(generator, unit, point) for unit in units for point in unit.points)
     return Record(
         id="20260101-000000-synthetic",
         list="synthetic",
@@ -75,7 +77,8 @@ def record(seed: int, size: Size = Size()) -> Record:
         code=_files(generator, size),
         code_runs=tuple(result.id for result in results[: size.code_runs]),
         mutation=tuple(_mutation(generator, unit.name) for unit in units),
-        plan=tuple(_promise(generator, unit, point) for unit in units for point in unit.points),
+        plan=plan,
+        rules=tuple(_rules(plan)),
         notes=("nothing of this was measured",),
     )
 
@@ -230,3 +233,14 @@ def _promise(generator: Generator, unit: Unit, point: Point) -> Promise:
         points={f"{unit.name}.{point.name}": (hit, len(needed))},
         standing=standing,
     )
+
+
+def _rules(plan: Sequence[Promise]) -> Iterator[Rule]:
+    """A rule for every two promises, and a fault that nothing fulfils."""
+    order = list(Standing)
+    for number in range(0, len(plan), 2):
+        own = plan[number : number + 2]
+        worst = min((promise.standing for promise in own), key=order.index)
+        names = tuple(promise.name for promise in own)
+        yield Rule(f"rule.{number}", "rule", "[9.1]", f"It is as {number} says.", names, worst)
+    yield Rule("fault.none", "fault", "[9.2]", "Nothing comes of it.", (), Standing.NOT_RUN)

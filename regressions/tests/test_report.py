@@ -142,6 +142,7 @@ def _cards(record: Record) -> dict[str, tuple[str, str]]:
     numbers = {
         "Runs passed": (record.counts()[Status.PASSED], len(record.results)),
         "Promises kept": (sum(p.standing == "passed" for p in record.plan), len(record.plan)),
+        "Rules and faults fulfilled": (sum(r.standing == "passed" for r in record.rules), len(record.rules)),
         "Functional bins": (sum(b.hits > 0 for b in bins), sum(not b.excluded for b in bins)),
         **{f"Code: {kind}": _hit([p for p in code if p.kind is kind]) for kind in CodeKind},
         "Mutants killed": (sum(unit.killed for unit in record.mutation), judged),
@@ -329,6 +330,15 @@ def test_each_promise_is_there_with_its_standing(browser: Browser, some: Record)
     assert list(zip(names, ends, strict=True)) == expected
 
 
+def test_a_rule_leads_to_the_promises_that_fulfil_it(browser: Browser, some: Record) -> None:
+    rule = some.rules[0]
+    browser.open("plan")
+    browser.find(f'#table-rules tr[data-key="{rule.name}"] .opener').click()
+    assert browser.texts("#table-rules tr.detail a") == list(rule.promises)
+    browser.find("#table-rules tr.detail a").click()
+    assert some.plan[0].what in browser.find("#table-plan tr.detail").text
+
+
 def test_both_curves_are_drawn_to_their_ends(browser: Browser, some: Record) -> None:
     browser.open("closure/sqrt")
     closure, random = some.curves[:2]
@@ -342,7 +352,15 @@ def test_both_curves_are_drawn_to_their_ends(browser: Browser, some: Record) -> 
 def test_a_regression_that_measured_nothing_has_a_page(
     browser: Browser, driver: webdriver.Chrome, some: Record, tmp_path: Path, view: str
 ) -> None:
-    nothing = {"coverage": (), "curves": (), "code": (), "code_runs": (), "mutation": (), "plan": ()}
+    nothing = {
+        "coverage": (),
+        "curves": (),
+        "code": (),
+        "code_runs": (),
+        "mutation": (),
+        "plan": (),
+        "rules": (),
+    }
     bare = _browser(driver, replace(some, **nothing), tmp_path)  # type: ignore[arg-type]
     bare.open(view)
     assert bare.find("h1").text

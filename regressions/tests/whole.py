@@ -14,6 +14,7 @@ from regressions.record import (
     Point,
     Promise,
     Record,
+    Rule,
     Status,
     Unit,
 )
@@ -93,5 +94,6 @@ RECORD = Record(
             Standing.PASSED,
         ),
     ),
+    rules=(Rule("arithmetic.root", "rule", "[2.1]", "Roots are exact.", ("sqrt.exact",), Standing.PASSED),),
     notes=("a note",),
 )

@@ -1,4 +1,6 @@
-/* The verification plan: each promise, and whether what ran holds it up. */
+/* The verification plan: each promise and whether what ran holds it up, each rule and what fulfils it. */
+
+const STANDINGS = ["failed", "hole", "not run", "passed"];
 
 function planView(open) {
   const promises = rows("plan");
@@ -11,8 +13,8 @@ function planView(open) {
       rows: promises,
       open,
       key: (row) => row.name,
-      facet: { value: (row) => row.standing, order: ["failed", "hole", "not run", "passed"] },
-      search: (row) => [...row.tests.map(([name]) => name), ...row.points.map(([name]) => name)].join(" "),
+      facet: { value: (row) => row.standing, order: STANDINGS },
+      search: (row) => [...row.tests, ...row.points].map(([name]) => name).join(" "),
       columns: [
         { title: "Promise", value: (row) => row.name, cell: (row) => h("code", {}, row.name) },
         { title: "Standing", value: (row) => row.standing, cell: (row) => badge(row.standing) },
@@ -23,6 +25,23 @@ function planView(open) {
       ],
       detail: promise,
     }),
+    table({
+      name: "rules",
+      caption: "Rules and faults of the specification",
+      rows: rows("rules"),
+      key: (row) => row.name,
+      facet: { value: (row) => row.standing, order: STANDINGS },
+      search: (row) => row.promises.join(" "),
+      columns: [
+        { title: "Entry", value: (row) => row.name, cell: (row) => h("code", {}, row.name) },
+        { title: "Standing", value: (row) => row.standing, cell: (row) => badge(row.standing) },
+        { title: "Kind", value: (row) => row.kind },
+        { title: "Section", value: (row) => row.section, wide: true },
+        { title: "Text", value: (row) => row.text, wide: true },
+        { title: "Promises", value: (row) => row.promises.length },
+      ],
+      detail: rule,
+    }),
   ];
 }
 
@@ -31,26 +50,25 @@ function sum(found, place) {
 }
 
 function promise({ what, tests, points, place: where }) {
+  const ends = tests.map(([name, status]) => h("li", {}, badge(status), " ", h("code", {}, name)));
+  const shares = points.map(([name, hit, needed]) =>
+    h("li", {}, meter(hit, needed), " ", h("a", { href: link("functional", name) }, name)),
+  );
   return h(
     "div",
     {},
     h("p", {}, what),
     where.length ? h("p", {}, "Declared in ", place(where)) : null,
     h("h4", {}, "Tests"),
-    h(
-      "ul",
-      { class: "plain" },
-      tests.map(([name, status]) => h("li", {}, badge(status), " ", h("code", {}, name))),
-    ),
+    h("ul", { class: "plain" }, ends),
     points.length ? h("h4", {}, "Cover points") : null,
-    h(
-      "ul",
-      { class: "plain" },
-      points.map(([name, hit, needed]) =>
-        h("li", {}, meter(hit, needed), " ", h("a", { href: link("functional", name) }, name)),
-      ),
-    ),
+    h("ul", { class: "plain" }, shares),
   );
+}
+
+function rule({ text, promises }) {
+  const names = promises.map((name) => h("li", {}, h("a", { href: link("plan", name) }, name)));
+  return h("div", {}, h("p", {}, text), h("h4", {}, "Fulfilled by"), h("ul", { class: "plain" }, names));
 }
 
 function absent(what) {
