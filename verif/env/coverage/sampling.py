@@ -79,20 +79,26 @@ class Signals:
 
 
 def _find(dut: Any, name: str) -> Any:
-    """A signal by its path; `scope[3]` is one of a generated array."""
+    """A signal by its path; `scope[3]` is one of a generated array. None where the array has no such scope."""
     handle = dut
     for part in name.split("."):
         scope, _, index = part.partition("[")
         handle = getattr(handle, scope)
         if index:
-            handle = handle[int(index.removesuffix("]"))]
+            try:
+                handle = handle[int(index.removesuffix("]"))]
+            except IndexError:
+                return None
     return handle
 
 
 def _reader(handle: Any) -> Callable[[], int]:
-    """What reads a signal. Verilator has no unknown bits, so there a narrow one is read as a number, which is
-    several times as fast as bit by bit.
+    """What reads a signal; one that this build has not is unknown.
+
+    Verilator has no unknown bits: there a narrow one is read as a number, several times as fast as bit by bit.
     """
+    if handle is None:
+        return lambda: _UNKNOWN
     narrow = isinstance(handle, LogicObject) or len(handle) < _LONG_BITS
     if narrow and cocotb.SIM_NAME == "Verilator":
         read: Callable[[], int] = handle._handle.get_signal_val_long
