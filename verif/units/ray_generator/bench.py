@@ -22,7 +22,7 @@ from verif.env.operands import from_rows
 from verif.env.pipelined import Mismatch
 
 _SIZE_W, _SLOT_W = 12, 8
-_LARGEST = (1 << _SIZE_W) - 1
+LARGEST = (1 << _SIZE_W) - 1
 _MOST_PIXELS = 48
 _FORMATS = formats(Knobs())
 _SPAN = Format(_FORMATS.span.int_bits - 1, _FORMATS.span.frac_bits, signed=False)
@@ -163,7 +163,7 @@ class RayBench(Block):
 
 
 def _counts() -> st.SearchStrategy[int]:
-    return st.sampled_from([1, 2, _LARGEST]) | st.integers(1, _LARGEST)
+    return st.sampled_from([1, 2, LARGEST]) | st.integers(1, LARGEST)
 
 
 def _spans() -> st.SearchStrategy[Vec3]:
@@ -172,7 +172,8 @@ def _spans() -> st.SearchStrategy[Vec3]:
     return st.tuples(lane, lane, lane)
 
 
-def _pictures() -> st.SearchStrategy[Picture]:
+def pictures() -> st.SearchStrategy[Picture]:
+    """Pictures of at most some dozen pixels, spans of any sign."""
     one = _FORMATS.unit.one
     lane = st.sampled_from([0, one, -one]) | st.integers(-one, one)
     line = st.integers(1, _MOST_PIXELS)
@@ -204,7 +205,7 @@ async def every_pixel_is_cast_once_in_order_and_exactly(dut: Any) -> None:
             await bench.step(None)
         await bench.picture(second, slots, gaps)
 
-    await holds(context.read(), example, _pictures(), _pictures(), _SLOTS, _GAPS, st.integers(0, 3), cost=2)
+    await holds(context.read(), example, pictures(), pictures(), _SLOTS, _GAPS, st.integers(0, 3), cost=2)
 
 
 @cocotb.test()
@@ -221,7 +222,7 @@ async def directions_are_within_two_steps_of_the_books_formula(dut: Any) -> None
             for lane, wanted in zip(rays[:, at], exact, strict=True):
                 assert abs(int(lane) - wanted) < 2, f"pixel {at} of {picture}: {lane}, not {float(wanted)}"
 
-    await holds(context.read(), example, _pictures())
+    await holds(context.read(), example, pictures())
 
 
 @cocotb.test()
@@ -230,13 +231,13 @@ async def the_widest_line_is_cast_at_one_ray_a_clock(dut: Any) -> None:
     run = context.read()
     bench = await RayBench.create(dut)
     one = _SPAN.max
-    for width, height in ((_LARGEST, 1), (1, _LARGEST)):
+    for width, height in ((LARGEST, 1), (1, LARGEST)):
         picture = Picture(width, height, (1, 2, 3), (one, -one, 12345), (-54321, one, -one))
         before = bench.now
         await bench.picture(picture, list(range(200)), [0])
         starts, behind = 1, 4
         same("clocks of the picture", starts + picture.pixels + behind, bench.now - before)
-    bench.log.info("%d operands asked for, %d rays checked", run.operands, 2 * _LARGEST)
+    bench.log.info("%d operands asked for, %d rays checked", run.operands, 2 * LARGEST)
 
 
 @cocotb.test()
@@ -257,4 +258,4 @@ async def reset_in_the_middle_of_a_picture_stops_it(dut: Any) -> None:
         await bench.picture(after, slots, gaps)
 
     part = st.integers(0, _MOST_PIXELS)
-    await holds(context.read(), example, _pictures(), part, _pictures(), _SLOTS, _GAPS, cost=2)
+    await holds(context.read(), example, pictures(), part, pictures(), _SLOTS, _GAPS, cost=2)

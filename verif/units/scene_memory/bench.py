@@ -20,7 +20,7 @@ _SLOTS = {
     Record.TRIANGLE: RECORD_SLOTS,
     Record.TAIL: 6,
 }
-_PORTS = {Record.LIGHT: "light", Record.SPHERE: "sphere", Record.TRIANGLE: "triangle"}
+PORTS = {Record.LIGHT: "light", Record.SPHERE: "sphere", Record.TRIANGLE: "triangle"}
 """Records of which a frame has many, and the port that reads one of them."""
 _KINDS = 8
 _INDICES = 256
@@ -60,7 +60,7 @@ class Banks:
         """The end of a clock: a write goes to the other bank, then they may swap."""
         if inputs.write and inputs.kind in _SLOTS:
             kind = Record(inputs.kind)
-            index = inputs.index if kind in _PORTS else 0
+            index = inputs.index if kind in PORTS else 0
             value = inputs.record & ((1 << _SLOTS[kind] * _SLOT_W) - 1)
             self._banks[1 - self._drawn][kind, index] = value
         if inputs.swap:
@@ -76,7 +76,7 @@ class MemoryBench(Block):
             idle=("write_valid", "swap"),
             carried={"write_valid": ("write_kind", "write_index", "write_record")},
         )
-        self.capacity = {kind: parameters[f"{kind.name}S"] for kind in _PORTS}
+        self.capacity = {kind: parameters[f"{kind.name}S"] for kind in PORTS}
         self._banks = Banks()
         self._read: dict[Record, int | None] = {}
 
@@ -98,17 +98,18 @@ class MemoryBench(Block):
             write_index=inputs.index,
             write_record=inputs.record,
             swap=int(inputs.swap),
-            **{f"{port}_index": inputs.reads[kind] for kind, port in _PORTS.items()},
+            **{f"{port}_index": inputs.reads[kind] for kind, port in PORTS.items()},
         )
         self._compare("camera", self._banks.drawn(Record.CAMERA))
         self._compare("tail", self._banks.drawn(Record.TAIL))
-        for kind, port in _PORTS.items():
+        for kind, port in PORTS.items():
             self._compare(port, self._read.get(kind))
         self._read = {kind: self._banks.drawn(kind, index) for kind, index in inputs.reads.items()}
         self._banks.clock(inputs)
 
 
-def _clocks(bench: MemoryBench) -> st.SearchStrategy[list[Clock]]:
+def clocks(bench: MemoryBench) -> st.SearchStrategy[list[Clock]]:
+    """One to forty clocks of any inputs."""
     index = st.integers(0, _INDICES - 1)
 
     def within(kind: int, number: int) -> int:
@@ -116,7 +117,7 @@ def _clocks(bench: MemoryBench) -> st.SearchStrategy[list[Clock]]:
         return number % bench.capacity.get(Record(kind), _INDICES) if kind in _SLOTS else number
 
     def build(write: bool, kind: int, number: int, record: int, swap: int, reads: tuple[int, ...]) -> Clock:
-        indices = {kind: within(kind, read) for kind, read in zip(_PORTS, reads, strict=True)}
+        indices = {kind: within(kind, read) for kind, read in zip(PORTS, reads, strict=True)}
         return Clock(write, kind, within(kind, number), record, swap == 3, indices)
 
     clock = st.builds(
@@ -146,7 +147,7 @@ async def writes_never_touch_the_frame_that_is_drawn(dut: Any) -> None:
         for inputs in after:
             await bench.step(inputs)
 
-    await holds(run, example, _clocks(bench), _clocks(bench))
+    await holds(run, example, clocks(bench), clocks(bench))
 
 
 @cocotb.test()
@@ -158,7 +159,7 @@ async def every_record_of_a_frame_comes_back_after_the_swap(dut: Any) -> None:
     keys = [(Record.CAMERA, 0), (Record.TAIL, 0)]
     keys += [(kind, index) for kind, size in bench.capacity.items() for index in range(size)]
     generator = run.generator(0)
-    first = dict.fromkeys(_PORTS, 0)
+    first = dict.fromkeys(PORTS, 0)
     for _ in range(20):
         for kind, index in keys:
             record = int.from_bytes(generator.bytes(RECORD_SLOTS * _SLOT_W // 8), "big")

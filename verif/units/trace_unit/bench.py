@@ -148,6 +148,27 @@ class TraceBench(Block):
                 expected, found = (split(ports, [word]) for word in (job.result, got))
                 wrong = [port.name for port in ports if (expected[port.name] != found[port.name]).any()]
                 raise Mismatch(f"{name} at clock {self.now}, {wrong}: expected {expected}, got {found}")
+            if self.signals is not None:
+                self._cover(job)
+
+    def _cover(self, job: Job) -> None:
+        """What a result, the model's, is a case of."""
+        if job.shadow:
+            left = split(unit.term(self.parameters), [job.result])["sum"].any()
+            self.covered(f"light.{'some' if left else 'nothing'}")
+            return
+        hit = split(unit.hit(self.parameters), [job.result])
+        if not hit["hit"][0]:
+            self.covered("ray.nothing")
+            return
+        # Only a sphere has an offset or a chord.
+        ball = hit["offset"].any() or hit["half_chord"].any()
+        self.covered("ray.sphere" if ball else "ray.triangle")
+        self.covered("ray.glass" if hit["glass"][0] else "ray.opaque")
+        if hit["leaving"][0]:
+            self.covered("ray.leaving")
+        if split(unit.ray(self.parameters), [job.word])["owned"][0]:
+            self.covered("ray.starts_on_one")
 
     async def play(self, jobs: Sequence[Job], manners: Manners = Manners(), most: int | None = None) -> int:
         """Starts rays as soon as the unit is free, until the last one has started, or for so many clocks; the
