@@ -173,10 +173,11 @@ class PipelinedBench:
 
     def compare(self) -> int:
         """Checks everything seen since the last call; the number of operands that was."""
+        if not self._given.trace.clocks and not self._got.trace.clocks:
+            return 0  # models need not take no operands
         samples = self._checker.check(self._given.trace, self._got.trace)
         checked = len(self._given.trace.clocks)
-        if checked:
-            self._cover(samples)
+        self._cover(samples)
         self._given.trace.clear()
         self._got.trace.clear()
         return checked
