@@ -177,6 +177,8 @@ def _environment(directory: Path) -> dict[str, str]:
         "PYTHONPATH": str(sources.ROOT),
         "PYTHONWARNINGS": _WARNINGS,
         "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+        # Trio's, which a run would import for nothing.
+        "HYPOTHESIS_NO_PLUGINS": "1",
         "COCOTB_ANSI_OUTPUT": "0",
         "RAYTRACER_RUN": str(directory),
         "OMP_NUM_THREADS": "1",
