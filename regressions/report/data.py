@@ -139,20 +139,16 @@ def _buckets(record: Record) -> Table:
 
 
 def _results(record: Record) -> Table:
-    """Results with what each adds: to the bins, and to the lines where it collected code coverage itself."""
+    """Results with what each adds to the bins."""
     place = {result.id: index for index, result in enumerate(record.results)}
     bins = [found for unit in record.coverage for point in unit.points for found in point.bins]
     hitters = [[place[name] for name in found.by if name in place] for found in bins]
     of_bins = gains(hitters, len(record.results))
-    of_lines = dict(zip(record.code_runs, _line_gains(record), strict=True))
     columns = (
         "id entry kind test seed status seconds simulated command folder waves message checks unit simulator "
-        "set build bins binsOnly binsMore lines linesOnly linesMore"
+        "set build bins binsOnly binsMore"
     )
-    rows = (
-        [*_result(result), *_gain(of_bins[index]), *_gain(of_lines.get(result.id))]
-        for index, result in enumerate(record.results)
-    )
+    rows = ([*_result(result), *_gain(gain)] for result, gain in zip(record.results, of_bins, strict=True))
     return _table(columns, rows)
 
 
@@ -165,8 +161,8 @@ def _result(result: Result) -> list[object]:
     ]
 
 
-def _gain(gain: Gain | None) -> list[int | None]:
-    return [None] * 3 if gain is None else [gain.hit, gain.only, gain.more]
+def _gain(gain: Gain) -> list[int]:
+    return [gain.hit, gain.only, gain.more]
 
 
 def _line_gains(record: Record) -> tuple[Gain, ...]:

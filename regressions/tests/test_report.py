@@ -15,7 +15,7 @@ from selenium.webdriver.common.keys import Keys
 from selenium.webdriver.remote.webelement import WebElement
 from selenium.webdriver.support.wait import WebDriverWait
 
-from regressions.record import CodeKind, CodePoint, Record, Status
+from regressions.record import CodeKind, CodePoint, File, Record, Status
 from regressions.report.page import page
 from regressions.tests import synthetic
 from verif.env.sources import ROOT
@@ -316,6 +316,31 @@ def test_a_survivor_leads_to_its_line(browser: Browser, some: Record) -> None:
     survivor = some.mutation[0].survivors[0]
     assert browser.find("h1").text == survivor.file
     assert browser.find("tr.target").get_attribute("data-line") == str(survivor.line)
+
+
+def test_a_survivor_shows_clock_by_clock_what_would_have_shown_it(browser: Browser, some: Record) -> None:
+    browser.open(f"mutation/{some.mutation[0].unit}.1")
+    browser.find("table.witness")
+    heads, cells = browser.texts("table.witness th"), browser.texts("table.witness td")
+    assert (heads, cells) == (["clock", "radicand", "valid"], ["0", "7", "1", "1", "5", "0"])
+
+
+def test_what_each_run_adds_to_the_lines_is_told(browser: Browser, some: Record) -> None:
+    browser.open("tests")
+    browser.find("#table-runs")
+    more = sum(int(text.replace(",", "")) for text in browser.texts("#table-runs tbody td:nth-child(4)"))
+    assert browser.texts("#table-runs tbody td:first-child") == list(some.code_runs)
+    assert more == sum(len(_lines_hit(file)) for file in some.code)
+
+
+def _lines_hit(file: File) -> set[int]:
+    kinds = (CodeKind.LINE, CodeKind.BRANCH)
+    return {
+        line
+        for point in file.points
+        if point.kind in kinds and point.by
+        for line in point.lines or (point.line,)
+    }
 
 
 def test_a_fragment_opens_one_run(browser: Browser, some: Record) -> None:

@@ -1,4 +1,4 @@
-/* Code coverage by file and kind, and what each run adds to it. */
+/* Code coverage by file and kind, and the list of all sources. */
 
 const KINDS = ["line", "branch", "expression", "toggle"];
 
@@ -30,17 +30,6 @@ function codeView() {
           title: "Missing",
           value: (row) => KINDS.reduce((total, kind) => total + row[`${kind}Needed`] - row[kind], 0),
         },
-      ],
-    }),
-    table({
-      name: "runs",
-      caption: "What each run adds to the lines",
-      rows: rows("runs"),
-      columns: [
-        { title: "Run", value: (row) => row.name },
-        { title: "Lines", value: (row) => row.lines },
-        { title: "Only it", value: (row) => row.linesOnly },
-        { title: "More than those before", value: (row) => row.linesMore },
       ],
     }),
     sourcesList(),

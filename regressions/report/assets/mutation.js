@@ -41,7 +41,12 @@ function mutationView(open) {
         { title: "Verdict", value: (row) => row.verdict, cell: (row) => badge(row.verdict) },
         { title: "Change", value: (row) => row.change, cell: (row) => h("code", {}, row.change) },
         { title: "Source", value: (row) => row.place.join(":"), cell: (row) => place(row.place) },
-        { title: "Shown by", value: (row) => row.witness, wide: true },
+        {
+          title: "Shown by",
+          value: (row) => row.witness,
+          cell: (row) => h("span", { class: "short" }, row.witness),
+          wide: true,
+        },
         { title: "Accepted because", value: (row) => row.reason, wide: true },
       ],
       detail: mutantDetail,
@@ -62,7 +67,33 @@ function mutantDetail(mutant) {
     ["verdict", badge(mutant.verdict)],
     ["change", h("code", {}, mutant.change)],
     ["source", place(mutant.place)],
-    ["shown by", mutant.witness ? h("pre", {}, mutant.witness) : "no operand is known"],
+    ["shown by", mutant.witness ? witness(mutant.witness) : "no operand is known"],
     ["accepted because", mutant.reason],
   ]);
+}
+
+/** Inputs clock by clock, where that is what the text says; a port that stays 0 is left out. */
+function witness(text) {
+  const clocks = parsed(text);
+  if (!clocks) return h("pre", {}, text);
+  const ports = Object.keys(clocks[0]).filter((port) => clocks.some((clock) => clock[port]));
+  const lines = clocks.map((clock, index) =>
+    h(
+      "tr",
+      {},
+      [index, ...ports.map((port) => clock[port])].map((value) =>
+        h("td", { class: "number" }, String(value)),
+      ),
+    ),
+  );
+  return h("table", { class: "inner witness" }, headRow("clock", ...ports), h("tbody", {}, lines));
+}
+
+function parsed(text) {
+  try {
+    const found = JSON.parse(text);
+    return Array.isArray(found) && typeof found[0] === "object" && found[0] ? found : null;
+  } catch {
+    return null;
+  }
 }

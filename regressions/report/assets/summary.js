@@ -43,9 +43,8 @@ function summaryView() {
 
 function card({ title, view, good, needed, excluded }) {
   const there = needed + excluded > 0;
-  const missing = there
-    ? `${number(good)} of ${number(needed)}${excluded ? `, ${number(excluded)} excluded` : ""}`
-    : "not measured";
+  const out = excluded ? `, ${number(excluded)} ${view === "mutation" ? "equivalent" : "excluded"}` : "";
+  const missing = there ? `${number(good)} of ${number(needed)}${out}` : "not measured";
   return h(
     "a",
     {

@@ -2,7 +2,6 @@
 
 function testsView(open) {
   const results = rows("results");
-  const lines = results.some((row) => row.lines !== null);
   return [
     h("h1", {}, "Tests"),
     h(
@@ -30,13 +29,23 @@ function testsView(open) {
           wide: true,
         },
         ...adds("bins", "Bins"),
-        ...(lines ? adds("lines", "Lines") : []),
       ],
       detail: resultDetail,
     }),
+    rows("runs").length ? codeRuns() : null,
   ];
 }
 
+function codeRuns() {
+  return table({
+    name: "runs",
+    caption: "Runs that count code coverage",
+    rows: rows("runs"),
+    columns: [{ title: "Run", value: (row) => row.name }, ...adds("lines", "Lines")],
+  });
+}
+
+/** Columns of what a run hits of something, and of how much of it nobody else does. */
 function adds(key, title) {
   return [
     { title, value: (row) => row[key] },
