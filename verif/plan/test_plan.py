@@ -70,6 +70,12 @@ def test_tests_of_benches_and_of_pytest_are_found_without_running_them() -> None
     assert NamedTest("models/tests/test_pages.py", "test_the_header_is_what_the_tables_say") in tests
 
 
+def test_whatever_pytest_collects_is_found(request: pytest.FixtureRequest) -> None:
+    """In a run of all tests, that is all of them."""
+    collected = {item.nodeid.partition("[")[0].partition("::") for item in request.session.items}
+    assert {NamedTest(where, name) for where, _, name in collected} <= inventory().tests
+
+
 def test_a_plan_in_which_everything_meets_has_no_error(tmp_path: Path) -> None:
     _write(tmp_path)
     assert _findings(tmp_path) == []
