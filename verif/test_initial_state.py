@@ -1,4 +1,4 @@
-"""Registers begin with random bits on Verilator, other ones for each seed: what works from 0 alone is caught."""
+"""Registers begin with random bits on Verilator, others for each seed: what works from 0 only is caught."""
 
 import pytest
 
