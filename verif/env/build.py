@@ -14,7 +14,7 @@ from pathlib import Path
 from cocotb_tools import runner
 
 from verif.env import sources
-from verif.env.simulators import Simulator, VerilatorRunner, version
+from verif.env.simulators import COUNTERS, Simulator, VerilatorRunner, mended_counters, version
 
 CACHE = sources.ROOT / "build"
 
@@ -72,6 +72,8 @@ class Build:
         texts = {"control.vlt": self.control, f"{self.top}.v": self.harness}
         if self.simulator is Simulator.ICARUS or self.waves:
             del texts["control.vlt"]
+        if self.coverage:
+            (self.directory / COUNTERS).write_text(mended_counters())
         written = []
         for name, text in texts.items():
             if text is not None:
@@ -96,7 +98,7 @@ class Build:
         settings += [self.harness, self.control, self.timing]
         settings += [sorted(self.parameters.items()), sorted(self.defines.items())]
         settings += [_VERILATOR, _TIMING, _ICARUS, str(sources.ROOT)]
-        settings += [_COVERAGE] if self.coverage else []
+        settings += [_COVERAGE, mended_counters()] if self.coverage else []
         digest.update(json.dumps(settings).encode())
         for path in (*self.files, *sources.headers()):
             digest.update(self.replacements.get(path, path.read_text()).encode())

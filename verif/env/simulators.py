@@ -71,6 +71,21 @@ def available() -> tuple[Simulator, ...]:
     return tuple(filter(usable, Simulator))
 
 
+COUNTERS = "verilated_cov.h"
+"""Verilator's header of the functions that count coverage."""
+
+
+def mended_counters() -> str:
+    """The header with what is wrong in it put right.
+
+    In 5.049 a toggle in a signal wider than 64 bits counts for the same bit of each word of 32 bits above it
+    too, since a loop over the bits of a word goes on to the end of the signal.
+    """
+    text = (verilator_root() / "include" / COUNTERS).read_text()
+    loop = "j < width - i * VL_EDATASIZE"
+    return text.replace(f"; {loop};", f"; j < VL_EDATASIZE && {loop};")
+
+
 class VerilatorRunner(runner.Verilator):
     """cocotb's runner with three changes that were measured.
 

@@ -16,8 +16,8 @@ from verif.video.builds import SCREEN, core_vga_build
 
 _EFFORT = units.Effort(examples=30, operands=5_000)
 """A twentieth of what tests of units do: operands of every class come by the thousand."""
-_CORE_EXAMPLES = 30
-_CORE_SCENES = 100
+_CORE_EXAMPLES = 15
+_CORE_SCENES = 50
 _CORE_BENCHES = ("pictures", "frames", "faults", "rooms", "streams")
 _SEED = 1
 
