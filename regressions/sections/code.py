@@ -6,7 +6,7 @@ from pathlib import Path
 from regressions.record import CodeKind, CodePoint, File, Record
 from regressions.sections.notes import noted, older
 from verif.coverage.code import collect, exclusions, runs
-from verif.coverage.code.points import Kind
+from verif.coverage.code.points import Kind, load
 
 _KINDS = {
     Kind.LINE: CodeKind.LINE,
@@ -17,10 +17,10 @@ _KINDS = {
 
 
 def added(record: Record, _root: Path) -> Record:
-    """The record with code coverage; without one where no run has collected any."""
-    coverage = collect.merged()
-    if not coverage.points:
+    """The record with code coverage, as it was last merged; without one where no run has collected any."""
+    if not collect.MERGED.exists():
         return noted(record, ["no run has collected code coverage"])
+    coverage = load(collect.MERGED).current()
     missing = set(runs.everything()) - coverage.tests
     try:
         review = exclusions.apply(exclusions.read(), coverage, whole=not missing)
@@ -47,8 +47,7 @@ def added(record: Record, _root: Path) -> Record:
         )
         for path, points in coverage.of_files().items()
     )
-    kept = [collect.FOLDER / "code" / f"{name}.json" for name in names]
-    notes = [*review.problems, *older(record, (path for path in kept if path.exists()), "code coverage")]
+    notes = [*review.problems, *older(record, [collect.MERGED], "code coverage")]
     if missing:
         notes.append(f"code coverage is without {len(missing)} runs, as {min(missing)}")
     return noted(replace(record, code=files, code_runs=names), notes)

@@ -7,6 +7,8 @@ from pathlib import Path
 
 from regressions.record import Record
 
+_NAMED = 3
+
 
 def noted(record: Record, notes: Iterable[str]) -> Record:
     """The record with more notes, each once."""
@@ -17,4 +19,5 @@ def older(record: Record, paths: Iterable[Path], what: str) -> list[str]:
     """A note where files were written before the regression began: they are of the tree as it was then."""
     start = datetime.datetime.fromisoformat(record.started).timestamp()
     old = sorted(path.stem for path in paths if path.stat().st_mtime < start)
-    return [f"{what} of {len(old)} was measured before this regression, as of {old[0]}"] if old else []
+    names = ", ".join(old[:_NAMED]) + (" and others" if len(old) > _NAMED else "")
+    return [f"{what} was measured before this regression: {names}"] if old else []
