@@ -14,7 +14,7 @@ from verif.core.strategies import Shot
 from verif.env.block import holds, same
 from verif.env.simulators import Simulator
 
-_LONG, _LONG_ON_ICARUS = 20_000, 300
+_LONG, _LONG_ON_ICARUS = 20_000, 100
 """Clocks: of several frames, and of many queues."""
 
 

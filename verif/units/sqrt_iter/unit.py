@@ -20,6 +20,14 @@ UNIT = StreamUnit(
     model=_model,
     directed=near_squares,
     breaks=(
+        # A result that is given up after 512 clocks of waiting.
+        Break(
+            "arith/iterate.v",
+            "else out_valid_reg <= finish || (out_valid_reg && !out_ready);\n    end",
+            "else out_valid_reg <= finish || (out_valid_reg && !out_ready && !(&age_reg));\n    end\n"
+            "    reg [8:0] age_reg;\n"
+            "    always @(posedge clk) age_reg <= out_valid_reg ? age_reg + 1'b1 : 9'd0;",
+        ),
         Break("arith/sqrt_iter.v", "d_reg <= d << 2;", "d_reg <= d << 1;"),
         Break("arith/iterate.v", "(!out_valid_reg || out_ready)", "1'b1"),
         Break("arith/iterate.v", "if (rst) out_valid_reg <=", "if (1'b0) out_valid_reg <="),
