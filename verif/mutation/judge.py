@@ -49,8 +49,8 @@ class Session:
 
 
 def build(unit: Unit, parameter_set: str, mutated: Netlist) -> Build:
-    """The build with all mutants in it; only the ports stay visible."""
-    ports = "\n".join(f'public_flat_rw -module "{mutated.top}" -var "{port}"' for port in mutated.ports)
+    """The build with all mutants in it; only what the bench may use stays visible."""
+    ports = "\n".join(f'public_flat_rw -module "{mutated.top}" -var "{port}"' for port in mutated.visible)
     return NetlistBuild(
         mutated.top,
         Simulator.VERILATOR,

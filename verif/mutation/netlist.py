@@ -27,8 +27,12 @@ SELECT = "mutsel"
 _CLOCKS = frozenset({"CLK", "RD_CLK", "WR_CLK"})
 """Cell ports that are left alone: a solver that knows one clock would call a wrong clock equivalent."""
 
-_SPARE = 1.25
-"""So many times the wanted mutants are asked for: those of clocks are left out."""
+_SPARE = 1.5
+"""So many times the wanted mutants are asked for, since some are left out."""
+
+_NAME = re.compile(r"[A-Za-z_]\w*")
+_PORT = re.compile(r"^  (?:input|output) (?:\[[^]]*\] )?(\S+);", re.MULTILINE)
+_NET = re.compile(r"^  (?:wire|reg) (?:signed )?(?:\[[^]]*\] )?([A-Za-z]\w*)(?: \[[^]]*\])?;", re.MULTILINE)
 
 
 class NetlistError(RuntimeError):
@@ -37,11 +41,11 @@ class NetlistError(RuntimeError):
 
 @dataclass(frozen=True)
 class Netlist:
-    """A mutated unit. top: module's name; ports: of the top; mutants: by number, from 1; folder: what yosys
-    wrote, among it `netlist.v`, and `netlist.il` for the solver."""
+    """A mutated unit. top: module's name; visible: nets that the bench may use; mutants: by number, from 1;
+    folder: what yosys wrote, among it `netlist.v`, and `netlist.il` for the solver."""
 
     top: str
-    ports: tuple[str, ...]
+    visible: tuple[str, ...]
     mutants: tuple[Mutant, ...]
     folder: Path
 
@@ -84,7 +88,8 @@ def make(unit: Unit, parameter_set: str, wanted: int, seed: int) -> Netlist:
     folder = FOLDER / "work" / f"{unit.name}-{parameter_set}-{wanted}-{seed}"
     folder.mkdir(parents=True, exist_ok=True)
     yosys(folder, "list", _elaborate(build, folder) + _listing(unit, folder, wanted, seed))
-    lines = [line for line in (folder / "list.txt").read_text().splitlines() if _usable(line)][:wanted]
+    named = _named(unit)
+    lines = [line for line in (folder / "list.txt").read_text().splitlines() if _usable(line, named)][:wanted]
     width = max(1, len(lines).bit_length())
     apply = [_numbered(line, number, width) for number, line in enumerate(lines, 1)]
     at = folder.relative_to(sources.ROOT)
@@ -101,12 +106,11 @@ def make(unit: Unit, parameter_set: str, wanted: int, seed: int) -> Netlist:
             ]
         ),
     )
-    ports = tuple(
-        re.findall(r"^  (?:input|output) (?:\[[^]]*\] )?(\S+);", (folder / "netlist.v").read_text(), re.M)
-    )
+    text = (folder / "netlist.v").read_text()
+    visible = (*_PORT.findall(text), *sorted(named.intersection(_NET.findall(text))))
     texts: dict[Path, list[str]] = {}
     mutants = tuple(_mutant(line, number, texts) for number, line in enumerate(lines, 1))
-    return Netlist(build.top, ports, mutants, folder)
+    return Netlist(build.top, tuple(dict.fromkeys(visible)), mutants, folder)
 
 
 def design(mutated: Netlist) -> Design:
@@ -162,6 +166,7 @@ def _listing(unit: Unit, folder: Path, wanted: int, seed: int) -> str:
     return "\n".join(
         [
             "prep -flatten",
+            "pmuxtree",  # a mutated $pmux would break its promise that one case holds
             "async2sync",
             "opt -full",
             "dffunmap",  # no optimisation behind it: it would put the controls back
@@ -179,8 +184,21 @@ def _options(line: str) -> Mapping[str, list[str]]:
     return found
 
 
-def _usable(line: str) -> bool:
-    return bool(line) and _options(line)["port"][0] not in _CLOCKS
+def _named(unit: Unit) -> set[str]:
+    """Words of the bench: a register that is among them may be read, or set, by its name."""
+    return {
+        word for path in (units.UNITS / unit.name).glob("*.py") for word in _NAME.findall(path.read_text())
+    }
+
+
+def _usable(line: str, named: set[str]) -> bool:
+    """No mutant of a clock, nor of the output of a register that the bench may set, which would hide what it
+    sets."""
+    if not line:
+        return False
+    found = _options(line)
+    port, wire = found["port"][0], found.get("wire", [""])[0]
+    return port not in _CLOCKS and not (port == "Q" and wire.split(".")[-1] in named)
 
 
 def _numbered(line: str, number: int, width: int) -> str:

@@ -29,7 +29,7 @@ METHOD = 1
 
 SETTINGS = Path(__file__).with_name("settings.toml")
 
-_FIRST, _SECOND = Effort(), Effort(examples=150, operands=20_000)
+_FIRST, _SECOND = Effort(examples=8, operands=1_000), Effort(examples=150, operands=20_000)
 
 Progress = Callable[[str, int, int], None]
 """What is done, how much of it, and of how much."""

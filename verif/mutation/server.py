@@ -29,7 +29,7 @@ _SURVIVED_CODE, _FIRST_CODE = 99, 100
 _UNIT_SECONDS = 600.0
 """Processor time that the unit itself may take."""
 
-_SLOWER, _AT_LEAST = 4.0, 4.0
+_SLOWER, _AT_LEAST = 3.0, 2.0
 """A mutant may take so many times the processor time of the unit itself, and so many seconds more."""
 
 

@@ -1,4 +1,4 @@
-"""Tests of the merge at every clock: what the header says; of whose turn it is, its bounds alone."""
+"""Tests of the merge at every clock: what the header says, and whose turn it is."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -15,6 +15,9 @@ from verif.env.pipelined import Mismatch
 _PART = 200
 """Clocks of the long run with one manner of all sides."""
 
+_SCATTER = 0x9E37_79B9_7F4A_7C15_F39C_C060_5CED_C834_1082_276B
+"""Odd, and large: multiples of it scatter over all bits of an item."""
+
 
 @dataclass(frozen=True)
 class Clock:
@@ -27,7 +30,7 @@ class Clock:
 class MergeBench(Block):
     """Offers items, each in its stream until it is accepted, and takes them.
 
-    An item tells its stream and its place in it, in its low bits and in its high ones.
+    An item tells its stream and its place in it, scattered over all its bits.
     """
 
     def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
@@ -42,6 +45,7 @@ class MergeBench(Block):
         self._waited = [0] * self.ports
         self.accepted = [0] * self.ports
         self.longest = 0
+        self._last = -1
 
     async def restart(self) -> None:
         """Reset for one clock, whatever is offered or waits."""
@@ -50,7 +54,7 @@ class MergeBench(Block):
 
     def _item(self, stream: int) -> int:
         mark = stream + self.ports * self.accepted[stream]
-        return (mark << max(0, self._width - 16) ^ mark * 0x9E37) & ((1 << self._width) - 1)
+        return (mark ^ mark * _SCATTER >> 40) & ((1 << self._width) - 1)
 
     async def step(self, inputs: Clock) -> None:
         """One clock, all outputs checked."""
@@ -78,7 +82,14 @@ class MergeBench(Block):
         granted = [stream for stream in self._offered if ready >> stream & 1]
         expected = bool(self._offered) and (self._output is None or take)
         same(f"items accepted at clock {self.now}", int(expected), len(granted))
+        if granted:
+            same(f"stream served at clock {self.now}", self._turn(), granted[0])
+            self._last = granted[0]
         return granted[0] if granted else None
+
+    def _turn(self) -> int:
+        """The next one by number behind the one that was served last, of those that wait."""
+        return min(self._offered, key=lambda stream: (stream <= self._last, stream))
 
     def _end(self, granted: int | None, take: bool) -> None:
         if take:
