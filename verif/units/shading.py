@@ -15,6 +15,8 @@ from models.fixed import Format, Raw
 from models.header import selected
 from verif.env import unknowns, vectors
 from verif.env.block import Block
+from verif.env.coverage.points import Samples
+from verif.env.coverage.sampling import clock_number
 from verif.env.fields import Field, Operands, bit, describe_all, join, split
 from verif.env.pipelined import Mismatch
 from verif.env.unit import Parameters
@@ -62,10 +64,13 @@ class ShadingBench(Block):
         self._inputs, self._outputs = tuple(inputs), tuple(outputs)
         self._bits = 1 + sum(field.bits for field in inputs)
         self._seen: list[int] = []
+        self._flying = 0
 
     async def restart(self) -> None:
         """Reset for one clock, whatever is in flight."""
+        self.covered("reset.busy" if self._flying > 0 else "reset.idle")
         await self.reset(cycles=1)
+        self._flying = 0
         self._seen.clear()
 
     async def load(self, materials: Materials, settings: Mapping[str, int]) -> None:
@@ -76,6 +81,7 @@ class ShadingBench(Block):
 
     async def _tick(self, word: int = 0, **inputs: int) -> None:
         self.set(**{"in": word or unknowns.idle(0, self._bits)})
+        self._flying = self.latency if word else self._flying - 1
         await self.clock(**inputs)
         self._seen.append(self.read("out"))
 
@@ -105,6 +111,11 @@ class ShadingBench(Block):
         got = [self._seen[clock] for clock in due]
         self._seen.clear()
         return split(self._outputs, got)
+
+    def saw(self, samples: Samples) -> None:
+        """Steps and what came of them, for the unit's cover points."""
+        if self.signals is not None:
+            self.signals.collector.add(samples, clock_number())
 
     async def nothing_comes(self) -> None:
         """Where nothing has been driven since the last reset."""

@@ -79,7 +79,7 @@ class Signals:
 
 
 def _find(dut: Any, name: str) -> Any:
-    """A signal by its path; `scope[3]` is one of a generated array. None where the array has no such scope."""
+    """A signal by its path; `scope[3]` is one of a generated array. None where it has no such scope."""
     handle = dut
     for part in name.split("."):
         scope, _, index = part.partition("[")
@@ -95,7 +95,7 @@ def _find(dut: Any, name: str) -> Any:
 def _reader(handle: Any) -> Callable[[], int]:
     """What reads a signal; one that this build has not is unknown.
 
-    Verilator has no unknown bits: there a narrow one is read as a number, several times as fast as bit by bit.
+    Verilator has no unknown bits: there a narrow one is read as a number, much faster than bit by bit.
     """
     if handle is None:
         return lambda: _UNKNOWN

@@ -50,7 +50,8 @@ def _settings(p: Parameters) -> st.SearchStrategy[Settings]:
     return st.builds(Settings, lights, depths, st.booleans(), st.booleans(), st.integers(0, (1 << 32) - 1))
 
 
-async def _bench(dut: Any) -> tuple[ShadingBench, context.Context]:
+async def create(dut: Any) -> tuple[ShadingBench, context.Context]:
+    """A bench that has been reset, and its run."""
     run = context.read()
     p = run.parameters
     latency = LATENCY["children"](p)
@@ -59,16 +60,20 @@ async def _bench(dut: Any) -> tuple[ShadingBench, context.Context]:
     return bench, run
 
 
-async def _run(bench: ShadingBench, frame: Frame, rays: Operands, gaps: Sequence[int] = ()) -> Operands:
+async def run_rays(bench: ShadingBench, frame: Frame, rays: Operands, gaps: Sequence[int] = ()) -> Operands:
     """All steps of rays, in a table that has been loaded; what came of each."""
     steps, _ = frame.steps(rays)
-    return await bench.run(steps, frame.model(steps, bench.parameters), gaps)
+    got = await bench.run(steps, frame.model(steps, bench.parameters), gaps)
+    if bench.signals is not None:
+        held = {name: np.full(count(steps), value) for name, value in frame.settings.items()}
+        bench.saw({**steps, **got, **held, "child_weights": frame.weights(steps, bench.parameters)})
+    return got
 
 
 @cocotb.test()
 async def every_step_gives_what_the_model_gives_when_it_must(dut: Any) -> None:
     """Drawn rays of drawn frames, with gaps; one frame behind the other."""
-    bench, run = await _bench(dut)
+    bench, run = await create(dut)
     p = run.parameters
 
     async def example(first: Settings, second: Settings, drawn: Operands, gaps: list[int]) -> None:
@@ -76,7 +81,7 @@ async def every_step_gives_what_the_model_gives_when_it_must(dut: Any) -> None:
         for settings in (first, second):
             frame = settings.frame(p)
             await bench.load(frame.materials, frame.settings)
-            await _run(bench, frame, frame.legal(drawn, p), gaps)
+            await run_rays(bench, frame, frame.legal(drawn, p), gaps)
 
     gaps = st.lists(st.integers(0, 3), max_size=8)
     await holds(run, example, _settings(p), _settings(p), batches(frames.rays(p), 8), gaps, cost=2)
@@ -85,7 +90,7 @@ async def every_step_gives_what_the_model_gives_when_it_must(dut: Any) -> None:
 @cocotb.test()
 async def reset_drops_what_is_in_flight_and_nothing_after(dut: Any) -> None:
     """At a drawn moment; the table stays."""
-    bench, run = await _bench(dut)
+    bench, run = await create(dut)
     p = run.parameters
 
     async def example(settings: Settings, before: Operands, wait: int, after: Operands) -> None:
@@ -95,7 +100,7 @@ async def reset_drops_what_is_in_flight_and_nothing_after(dut: Any) -> None:
         await bench.clocks(wait)
         await bench.restart()
         await bench.nothing_comes()
-        await _run(bench, frame, frame.legal(after, p))
+        await run_rays(bench, frame, frame.legal(after, p))
 
     batch = batches(frames.rays(p), 4)
     await holds(run, example, _settings(p), batch, st.integers(0, bench.latency), batch, cost=2)
@@ -134,14 +139,14 @@ def _drawn_settings(run: context.Context) -> Iterator[Settings]:
 
 async def _long_run(dut: Any, share: int, check: Callable[[Seen], Holds] | None = None) -> None:
     """Volume, back to back: seeded frames of all kinds; what is said of each ray must hold for all."""
-    bench, run = await _bench(dut)
+    bench, run = await create(dut)
     p, number, all_steps = run.parameters, 0, 0
     for settings in _drawn_settings(run):
         frame, generator = settings.frame(p), run.generator(1, number)
         rays = drawn_rays(generator, frame, _PART, p)
         steps, ray = frame.steps(rays)
         await bench.load(frame.materials, frame.settings)
-        seen = Seen(p, frame, rays, steps, ray, await _run(bench, frame, rays))
+        seen = Seen(p, frame, rays, steps, ray, await run_rays(bench, frame, rays))
         if check is not None and (wrong := np.flatnonzero(~check(seen))).size:
             shown = describe_all(frames.rays(p), rays, int(wrong[0]))
             raise Mismatch(f"not so for {wrong.size} of {_PART} rays of {settings}, the first:\n{shown}")
@@ -212,5 +217,5 @@ async def a_child_is_sent_where_a_channel_of_its_weight_is_not_below_the_least(d
 @cocotb.test()
 async def work_is_told_before_a_term_of_the_same_step_can_end(dut: Any) -> None:
     """What comes of a step here is earlier than what comes of it there."""
-    bench, run = await _bench(dut)
+    bench, run = await create(dut)
     assert bench.latency < LATENCY["lighting"](run.parameters)

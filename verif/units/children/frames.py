@@ -112,12 +112,21 @@ class Frame:
         whole = {**drawn, "branching": branching.astype(np.int64), "more": steps - 1}
         return {**select(whole, ray), "step": step}, ray
 
+    def weights(self, steps: Operands, p: Parameters) -> Raw:
+        """(3, n): of the child that each step may cast, in `shade`."""
+        fmts, number = selected(p), steps["own"]
+        reflection, transparency = (
+            self.materials.reflection[:, number],
+            self.materials.transparency[:, number],
+        )
+        share = np.where(steps["step"] == 0, reflection, transparency)
+        return vec_mul(steps["weight"], share, fmts.shade, fmts.coeff, fmts.shade)
+
     def model(self, steps: Operands, p: Parameters) -> Operands:
         """What comes of each step."""
         fmts, number = selected(p), steps["own"]
         first, second = steps["step"] == 0, (steps["step"] == 1) & (steps["branching"] == 1)
-        share = np.where(first, self.materials.reflection[:, number], self.materials.transparency[:, number])
-        weight = vec_mul(steps["weight"], share, fmts.shade, fmts.coeff, fmts.shade)
+        weight = self.weights(steps, p)
         deeper = steps["depth"] < self.max_depth
         heavy = weight.max(axis=0) >= p["MIN_WEIGHT"]
         sent = (first | second) & (steps["hit"] == 1) & deeper & heavy

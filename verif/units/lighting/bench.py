@@ -27,7 +27,8 @@ _PART = 500
 """Steps of one frame of the long run."""
 
 
-async def _bench(dut: Any) -> tuple[ShadingBench, context.Context]:
+async def create(dut: Any) -> tuple[ShadingBench, context.Context]:
+    """A bench that has been reset, and its run."""
     run = context.read()
     p = run.parameters
     bench = ShadingBench(dut, p, drawing.inputs(p), drawing.outputs(p), LATENCY["lighting"](p))
@@ -35,15 +36,18 @@ async def _bench(dut: Any) -> tuple[ShadingBench, context.Context]:
     return bench, run
 
 
-async def _load(bench: ShadingBench, seed: int) -> Frame:
+async def load(bench: ShadingBench, seed: int) -> Frame:
     """Loads a drawn frame."""
     frame = drawn_frame(np.random.default_rng(seed), bench.parameters)
     await bench.load(frame.materials, frame.settings(bench.parameters))
     return frame
 
 
-async def _run(bench: ShadingBench, frame: Frame, steps: Operands, gaps: Sequence[int] = ()) -> Operands:
-    return await bench.run(steps, frame.model(steps, bench.parameters), gaps)
+async def run_steps(bench: ShadingBench, frame: Frame, steps: Operands, gaps: Sequence[int] = ()) -> Operands:
+    """Steps in a table that has been loaded; what came of each."""
+    got = await bench.run(steps, frame.model(steps, bench.parameters), gaps)
+    bench.saw({**steps, **got})
+    return got
 
 
 _SEEDS = st.integers(0, (1 << 32) - 1)
@@ -52,12 +56,12 @@ _SEEDS = st.integers(0, (1 << 32) - 1)
 @cocotb.test()
 async def every_step_gives_what_the_model_gives_when_it_must(dut: Any) -> None:
     """Drawn steps of drawn frames, with gaps; one frame behind the other."""
-    bench, run = await _bench(dut)
+    bench, run = await create(dut)
 
     async def example(first: int, second: int, drawn: Operands, gaps: list[int]) -> None:
         await bench.restart()
         for seed in (first, second):
-            await _run(bench, await _load(bench, seed), drawing.legal(drawn, run.parameters), gaps)
+            await run_steps(bench, await load(bench, seed), drawing.legal(drawn, run.parameters), gaps)
 
     gaps = st.lists(st.integers(0, 3), max_size=8)
     await holds(run, example, _SEEDS, _SEEDS, batches(drawing.inputs(run.parameters), 8), gaps, cost=3)
@@ -66,15 +70,15 @@ async def every_step_gives_what_the_model_gives_when_it_must(dut: Any) -> None:
 @cocotb.test()
 async def reset_drops_what_is_in_flight_and_nothing_after(dut: Any) -> None:
     """At a drawn moment; the table stays."""
-    bench, run = await _bench(dut)
+    bench, run = await create(dut)
 
     async def example(seed: int, before: Operands, wait: int, after: Operands) -> None:
-        frame = await _load(bench, seed)
+        frame = await load(bench, seed)
         await bench.drive(drawing.legal(before, run.parameters))
         await bench.clocks(wait)
         await bench.restart()
         await bench.nothing_comes()
-        await _run(bench, frame, drawing.legal(after, run.parameters))
+        await run_steps(bench, frame, drawing.legal(after, run.parameters))
 
     batch = batches(drawing.inputs(run.parameters), 4)
     await holds(run, example, _SEEDS, batch, st.integers(0, bench.latency), batch, cost=3)
@@ -97,13 +101,13 @@ class Seen:
 
 async def _long_run(dut: Any, share: int, check: Callable[[Seen], Holds] | None = None) -> None:
     """Volume, back to back: seeded frames; what is said of each step must hold for all."""
-    bench, run = await _bench(dut)
+    bench, run = await create(dut)
     p, total = run.parameters, max(run.operands // share, _PART // 2)
     for number, done in enumerate(range(0, total, _PART)):
         generator = run.generator(number)
-        frame = await _load(bench, int(generator.integers(1 << 32)))
+        frame = await load(bench, int(generator.integers(1 << 32)))
         steps = drawn_steps(generator, min(_PART, total - done), p)
-        seen = Seen(p, frame, steps, await _run(bench, frame, steps))
+        seen = Seen(p, frame, steps, await run_steps(bench, frame, steps))
         if check is not None and (wrong := np.flatnonzero(~check(seen))).size:
             shown = describe_all(drawing.inputs(p), steps, int(wrong[0]))
             got = describe_all(drawing.outputs(p), seen.got, int(wrong[0]))
@@ -183,12 +187,12 @@ async def a_shadow_ray_ends_at_its_light(dut: Any) -> None:
 @cocotb.test()
 async def a_weight_of_none_casts_no_shadow_ray(dut: Any) -> None:
     """Nor does light that the weight makes less than a step; a hit's first step still ends in its base."""
-    bench, run = await _bench(dut)
-    frame = await _load(bench, 1)
+    bench, run = await create(dut)
+    frame = await load(bench, 1)
     steps = drawn_steps(run.generator(1 << 16), 200, run.parameters)
     weights = (0 * steps["weight"], steps["weight"] >> (selected(run.parameters).shade.width - 1))
     for weight in weights:
-        got = await _run(bench, frame, {**steps, "weight": weight})
+        got = await run_steps(bench, frame, {**steps, "weight": weight})
         dark = select(got, np.flatnonzero(weight.max(axis=0) == 0))
         if dark["shadow_valid"].any() or not dark["direct_valid"].all() or dark["direct_base"].any():
             raise Mismatch("a ray without weight adds something")
