@@ -8,7 +8,8 @@ the mutation does not touch; a SAT solver looks for outputs that differ. Proofs,
   cannot.
 * Where what the mutation touches has no feedback and reaches the outputs within d clocks, outputs depend on
   the last d clocks only: d clocks from any state of the rest, and all clocks up to it from reset, decide.
-* Otherwise k-induction: outputs that were the same for k clocks are the same in the next one.
+* Otherwise k-induction: outputs that were the same for k clocks are the same in the next one; or what always
+  holds of the states of both side by side, such as registers that are equal, leaves no difference to see.
 
 Each is tried from every state, then from those alone that `verif.mutation.invariants` does not exclude.
 
@@ -16,7 +17,7 @@ A trace from reset after which outputs differ shows the mutant. It obeys no prot
 is legal is for a person to say. The solver knows one clock, so mutants of clock inputs are never made.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeVar
@@ -34,7 +35,10 @@ _RESET_CLOCKS = 2
 _DEEPEST = 160
 """Clocks after which what a mutation touches counts as feedback."""
 
-_INDUCTIONS = (1, 2, 4)
+_LARGEST = 60_000
+"""Gates up to which unit and mutant are looked at side by side."""
+
+_INDUCTIONS = (1, 2)
 _DEPTHS = (6, 14)
 """Clocks behind reset in which a trace is looked for, where there is feedback."""
 
@@ -105,6 +109,40 @@ class _Pair:
             if left != right:
                 yield latch, self.graph.differ(left, right)
 
+    def product(self) -> tuple[Design, dict[int, int]]:
+        """Unit and mutant as one design: its outputs are the differences, its latches those of the unit and
+        the mutant's loose ones; by these, the unit's that they are copies of."""
+        design, fan = self.design, self.graph.fan
+        positions = [index for index, (port, _) in enumerate(design.inputs) if port != SELECT]
+        latches, loose = list(range(design.first_latch, design.first_gate)), sorted(self.loose)
+        apart = self.outputs(0)
+        after = [self.unit.after(latch, 0) for latch in latches]
+        after += [self.changed.after(latch, 0) for latch in loose]
+        number = {0: 0}
+        first_latch = len(positions) + 1
+        for place, position in enumerate(positions, 1):
+            number[self._free(self._inputs, (position, 0)) >> 1] = place
+        for place, latch in enumerate(latches, first_latch):
+            number[self._free(self._common, latch) >> 1] = place
+        for place, latch in enumerate(loose, first_latch + len(latches)):
+            number[self._free(self._apart, (latch, self.mutant)) >> 1] = place
+        gates: list[tuple[int, int]] = []
+        first_gate = first_latch + len(latches) + len(loose)
+
+        def literal(it: int) -> int:
+            return 2 * number[it >> 1] + (it & 1)
+
+        # A node's operands have smaller numbers.
+        for node, (left, right) in enumerate(fan):
+            if node not in number and left >= 0:
+                number[node] = first_gate + len(gates)
+                gates.append((literal(left), literal(right)))
+        place_of = dict(zip(latches, range(first_latch, first_gate), strict=False))
+        copies = {place: place_of[latch] for place, latch in enumerate(loose, first_latch + len(latches))}
+        outputs = {("", index): literal(it) for index, it in enumerate(apart)}
+        inputs = tuple(design.inputs[position] for position in positions)
+        return Design(inputs, tuple(map(literal, after)), outputs, tuple(gates)), copies
+
     def trace(self, solution: Solution, clocks: int) -> tuple[Clock, ...]:
         """The inputs that a solution has, clock by clock."""
         found: list[dict[str, int]] = [{} for _ in range(clocks)]
@@ -117,6 +155,12 @@ class _Pair:
                 value = held or (literal != FALSE and solution.holds(literal))
                 found[clock][port] = found[clock].get(port, 0) | (int(value) << bit)
         return tuple(found)
+
+
+def _leaves(graph: Graph) -> Callable[[int, int], int]:
+    """Inputs that are free."""
+    known: dict[tuple[int, int], int] = {}
+    return lambda position, clock: known.setdefault((position, clock), graph.leaf())
 
 
 @dataclass(frozen=True)
@@ -239,13 +283,30 @@ class Solver:
             found = self._trace(mutant, clocks)
             if isinstance(found, Decision):
                 return found
+            if not tried:
+                for length in _INDUCTIONS if found is Answer.NO else ():
+                    if self._inductive(mutant, loose, length):
+                        return Decision(Verdict.EQUIVALENT, f"the same by induction over {length} clocks")
+                if self._side_by_side(mutant, loose):
+                    return Decision(Verdict.EQUIVALENT, "the same in all states that both reach together")
             if found is Answer.UNKNOWN:
                 break
             tried = clocks
-            for length in _INDUCTIONS if clocks == _DEPTHS[0] else ():
-                if self._inductive(mutant, loose, length):
-                    return Decision(Verdict.EQUIVALENT, f"the same by induction over {length} clocks")
         return Decision(Verdict.UNDECIDED, f"no trace of {tried} clocks, no proof")
+
+    def _side_by_side(self, mutant: int, loose: frozenset[int]) -> bool:
+        """What always holds of the states of both together, from reset on, leaves no difference to see."""
+        if len(self.design.gates) > _LARGEST:
+            return False
+        both, copies = _Pair(self.design, mutant, loose).product()
+        never = invariants.find(both, self.seconds, copies)
+        if not never:
+            return False
+        graph, states = Graph(), dict[int, int]()
+        run = Run(both, graph, _leaves(graph), lambda latch: states.setdefault(latch, graph.leaf()))
+        given = [clause_literal(graph, clause, states) for clause in never]
+        apart = [run.literal(literal, 0) for literal in both.outputs.values()]
+        return any_of(graph, apart, self.seconds, given).answer is Answer.NO
 
     def _inductive(self, mutant: int, loose: frozenset[int], length: int) -> bool:
         """Outputs that were the same for so many clocks are so in the next; `_trace` has seen to the first

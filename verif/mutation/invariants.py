@@ -8,7 +8,9 @@ what is left holds whatever a user does.
 
 import itertools
 import random
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from types import MappingProxyType
+from typing import TypeVar
 
 from verif.mutation.aig import FALSE, TRUE, Design, Graph, Run
 from verif.mutation.netlist import SELECT
@@ -20,51 +22,92 @@ Clause = tuple[int, ...]
 _ALL, _TRIPLES, _PAIRS = 8, 22, 72
 """Registers up to which clauses of all of them, of three, of two are tried."""
 
+_MOST = 200
+"""Registers and pairs up to which anything is tried."""
+
+_CONDITIONAL = 4_000
+"""Clauses about pairs while a third register has some value, at most."""
+
+_RESET_CLOCKS = 2
+_Key = TypeVar("_Key")
+
 _LANES, _CLOCKS, _SEED = 256, 160, 1
 _ROUNDS = 80
 
 
-def find(design: Design, seconds: float) -> tuple[Clause, ...]:
-    """Clauses that always hold after reset; none where there are too many registers. seconds: a question."""
+def find(
+    design: Design, seconds: float, copies: Mapping[int, int] = MappingProxyType({})
+) -> tuple[Clause, ...]:
+    """Clauses that always hold after reset; none where there are too many registers. seconds: a question.
+
+    copies: pairs of latches that begin alike, before reset: that they stay so is tried too, always or
+    while a third one has some value.
+    """
     after_reset = _after_reset(design)
-    if not 0 < len(after_reset) <= _PAIRS:
+    if not 0 < len(after_reset) + len(copies) <= _MOST:
         return ()
-    return _inductive(design, list(_candidates(design, after_reset)), seconds)
+    clauses = list(_candidates(design, after_reset, copies))
+    while clauses:
+        kept = _true_after_reset(design, clauses, seconds, copies)
+        if kept == clauses:
+            return _inductive(design, clauses, seconds)
+        clauses = kept
+    return ()
 
 
-def _free(graph: Graph, known: dict[int, int], key: int) -> int:
+def _free(graph: Graph, known: dict[_Key, int], key: _Key) -> int:
     if key not in known:
         known[key] = graph.leaf()
     return known[key]
 
 
-def _run(design: Design, graph: Graph, states: dict[int, int], reset: bool) -> Run:
-    inputs: dict[int, int] = {}
+def _run(design: Design, graph: Graph, states: dict[int, int], reset: bool, copies: Mapping[int, int]) -> Run:
+    inputs: dict[tuple[int, int], int] = {}
 
-    def given(position: int, _: int) -> int:
+    def given(position: int, clock: int) -> int:
         port = design.inputs[position][0]
         if port == SELECT:
             return FALSE
-        return TRUE if reset and port == "rst" else _free(graph, inputs, position)
+        return TRUE if reset and port == "rst" else _free(graph, inputs, (position, clock))
 
-    return Run(design, graph, given, lambda latch: _free(graph, states, latch))
+    return Run(design, graph, given, lambda latch: _free(graph, states, copies.get(latch, latch)))
+
+
+def _true_after_reset(
+    design: Design, clauses: list[Clause], seconds: float, copies: Mapping[int, int]
+) -> list[Clause]:
+    """Those that reset makes true; none where the solver cannot say."""
+    graph = Graph()
+    run = _run(design, graph, {}, True, copies)
+    latches = {literal >> 1 for clause in clauses for literal in clause}
+    states = {latch: run.literal(2 * latch, _RESET_CLOCKS) for latch in latches}
+    broken = [clause_literal(graph, clause, states) ^ 1 for clause in clauses]
+    solution = any_of(graph, broken, seconds)
+    if solution.answer is Answer.YES:
+        return [clause for clause, it in zip(clauses, broken, strict=True) if not solution.holds(it)]
+    return clauses if solution.answer is Answer.NO else []
 
 
 def _after_reset(design: Design) -> dict[int, bool]:
     """Latches that reset sets, whatever the state and inputs, to what it sets them."""
-    run = _run(design, Graph(), {}, reset=True)
+    run = _run(design, Graph(), {}, True, {})
     latches = range(design.first_latch, design.first_gate)
     values = {latch: run.after(latch, 0) for latch in latches}
     return {latch: value == TRUE for latch, value in values.items() if value in (FALSE, TRUE)}
 
 
-def _simulated(design: Design, after_reset: dict[int, bool]) -> Iterator[list[int]]:
+def _simulated(
+    design: Design, after_reset: dict[int, bool], copies: Mapping[int, int]
+) -> Iterator[list[int]]:
     """Words of all variables, a lane a bit, clock by clock."""
     generator, mask = random.Random(_SEED), (1 << _LANES) - 1
     words = [0] * (design.first_gate + len(design.gates))
     for latch in range(design.first_latch, design.first_gate):
         known = after_reset.get(latch)
         words[latch] = generator.getrandbits(_LANES) if known is None else mask * known
+    for copy, latch in copies.items():
+        if copy not in after_reset:
+            words[copy] = words[latch]
     for _ in range(_CLOCKS):
         for position, (port, _bit) in enumerate(design.inputs):
             word = generator.getrandbits(_LANES)
@@ -84,31 +127,46 @@ def _simulated(design: Design, after_reset: dict[int, bool]) -> Iterator[list[in
         words[design.first_latch : design.first_gate] = after
 
 
-def _candidates(design: Design, after_reset: dict[int, bool]) -> Iterator[Clause]:
+def _candidates(design: Design, after_reset: dict[int, bool], copies: Mapping[int, int]) -> Iterator[Clause]:
     """Clauses that no simulated state breaks."""
     latches = sorted(after_reset)
-    size = len(latches) if len(latches) <= _ALL else 3 if len(latches) <= _TRIPLES else 2
-    history = dict.fromkeys(latches, 0)
-    for clock, words in enumerate(_simulated(design, after_reset)):
-        for latch in latches:
+    history = dict.fromkeys([*latches, *copies, *copies.values()], 0)
+    for clock, words in enumerate(_simulated(design, after_reset, copies)):
+        for latch in history:
             history[latch] |= words[latch] << (clock * _LANES)
     whole = (1 << (_LANES * _CLOCKS)) - 1
+
+    def possible(clause: Clause) -> bool:
+        broken = whole
+        for literal in clause:
+            # A literal is false where the latch is its inversion.
+            seen = history[literal >> 1]
+            broken &= seen if literal & 1 else whole ^ seen
+        return not broken
+
+    if len(latches) <= _PAIRS:
+        size = len(latches) if len(latches) <= _ALL else 3 if len(latches) <= _TRIPLES else 2
+        yield from filter(possible, _clauses(latches, size))
+    equal = [(2 * copy, 2 * latch + 1) for copy, latch in copies.items()]
+    equal += [(2 * copy + 1, 2 * latch) for copy, latch in copies.items()]
+    always = set(filter(possible, equal))
+    yield from always
+    others = [clause for clause in equal if clause not in always]
+    if 2 * len(others) * len(latches) <= _CONDITIONAL:
+        conditional = ((2 * latch + bit, *clause) for clause in others for latch in latches for bit in (0, 1))
+        yield from filter(possible, conditional)
+
+
+def _clauses(latches: Sequence[int], size: int) -> Iterator[Clause]:
     for chosen in itertools.combinations(latches, size):
         for inverted in itertools.product((0, 1), repeat=size):
-            broken = whole
-            for latch, bit in zip(chosen, inverted, strict=True):
-                # A literal is false where the latch is its inversion.
-                broken &= history[latch] if bit else whole ^ history[latch]
-                if not broken:
-                    break
-            if not broken:
-                yield tuple(2 * latch + bit for latch, bit in zip(chosen, inverted, strict=True))
+            yield tuple(2 * latch + bit for latch, bit in zip(chosen, inverted, strict=True))
 
 
 def _inductive(design: Design, clauses: list[Clause], seconds: float) -> tuple[Clause, ...]:
     for _ in range(_ROUNDS):
         graph, states = Graph(), dict[int, int]()
-        run = _run(design, graph, states, reset=False)
+        run = _run(design, graph, states, False, {})
         before = [clause_literal(graph, clause, states) for clause in clauses]
         latches = {literal >> 1 for clause in clauses for literal in clause}
         next_states = {latch: run.after(latch, 0) for latch in latches}
