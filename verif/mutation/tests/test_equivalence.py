@@ -107,3 +107,16 @@ def test_an_undecided_mutant_counts_against_the_score() -> None:
     assert result.score == 3 / 4
     assert result.undecided == 1 / 5
     assert result.survivors == (undecided,)
+
+
+def test_registers_that_reset_does_not_set_but_begin_alike_are_found_to_stay_so() -> None:
+    it = _Builder(latches=3)
+    one, other, data = it.latch
+    chosen = it.either(it.both(one, it.select ^ 1), it.both(other, it.select))
+    after = it.both(it.differ(one, it.a), it.rst ^ 1)
+    after_other = it.both(it.differ(chosen, it.a), it.rst ^ 1)
+    held = it.either(it.both(data, chosen ^ 1), it.both(it.b, chosen))
+    assert (
+        Solver(it.design(it.both(data, one), after, after_other, held)).decide(1).verdict
+        is Verdict.EQUIVALENT
+    )
