@@ -49,7 +49,7 @@ class Size:
 
     results: int = 40
     bins: int = 120
-    points: int = 4_000
+    points: int = 15_000
     code_runs: int = 12
 
 

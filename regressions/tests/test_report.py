@@ -261,26 +261,56 @@ def test_a_line_shows_its_hits_and_opens_to_the_runs_that_hit_it(browser: Browse
     assert some.code_runs[point.by[0]] in detail
 
 
-def _missed_lines(record: Record, path: str) -> set[int]:
-    """Lines that no line or branch point that is about them saw hit, unless one is excluded."""
-    (file,) = (file for file in record.code if file.path == path)
-    hits: dict[int, int] = {}
-    excluded = set()
+def _hits_of_lines(file: File) -> dict[int, int]:
+    """Most hits of a line or branch point that is about a line."""
+    found: dict[int, int] = {}
     for point in file.points:
         if point.kind in (CodeKind.LINE, CodeKind.BRANCH):
             for line in point.lines or (point.line,):
-                hits[line] = max(hits.get(line, 0), point.hits)
-                if point.excluded:
-                    excluded.add(line)
-    return {line for line, number in hits.items() if not number} - excluded
+                found[line] = max(found.get(line, 0), point.hits)
+    return found
+
+
+def _missed_lines(file: File) -> set[int]:
+    """Lines that nothing hits and nothing excludes."""
+    excluded = {
+        line
+        for point in file.points
+        if point.excluded and point.kind in (CodeKind.LINE, CodeKind.BRANCH)
+        for line in point.lines or (point.line,)
+    }
+    return {line for line, hits in _hits_of_lines(file).items() if not hits} - excluded
 
 
 def test_lines_that_nothing_hits_are_marked(browser: Browser, some: Record) -> None:
-    path = max((file.path for file in some.code), key=lambda path: len(_missed_lines(some, path)))
-    browser.open(f"source/{path}")
+    file = next(
+        file
+        for file in some.code
+        if set() != _missed_lines(file) != {line for line, hits in _hits_of_lines(file).items() if not hits}
+    )
+    browser.open(f"source/{file.path}")
     browser.find("table.source")
     marked = {int(text) for text in browser.texts("table.source tr.miss[data-line] > th")}
-    assert marked == _missed_lines(some, path) != set()
+    assert marked == _missed_lines(file)
+
+
+def test_each_line_has_its_hits(browser: Browser, some: Record) -> None:
+    file = max(some.code, key=lambda file: len(file.points))
+    browser.open(f"source/{file.path}")
+    browser.find("table.source")
+    texts = [text.strip("✗").replace(",", "") for text in browser.texts("table.source td.hits")]
+    shown = {line: int(text) for line, text in enumerate(texts, 1) if text}
+    assert shown == _hits_of_lines(file)
+
+
+def test_a_line_opens_to_all_its_points(browser: Browser, some: Record) -> None:
+    file = max(some.code, key=lambda file: len(file.points))
+    line = next(point.line for point in file.points if point.kind is CodeKind.TOGGLE)
+    browser.open(f"source/{file.path}:{line}")
+    browser.find("tr.target .marks").click()
+    cells = [browser.texts(f"tr.detail .inner td:nth-child({column})") for column in (1, 2, 3)]
+    expected = [(p.kind, p.name, f"{p.hits:,}") for p in file.points if p.line == line]
+    assert sorted(zip(*cells, strict=True)) == sorted(expected)
 
 
 def test_an_excluded_line_says_why(browser: Browser, some: Record) -> None:

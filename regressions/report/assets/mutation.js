@@ -39,7 +39,11 @@ function mutationView(open) {
       columns: [
         { title: "Mutant", value: (row) => `${row.unit}.${row.number}` },
         { title: "Verdict", value: (row) => row.verdict, cell: (row) => badge(row.verdict) },
-        { title: "Change", value: (row) => row.change, cell: (row) => h("code", {}, row.change) },
+        {
+          title: "Change",
+          value: (row) => row.change,
+          cell: (row) => h("code", { class: "short" }, row.change),
+        },
         { title: "Source", value: (row) => row.place.join(":"), cell: (row) => place(row.place) },
         {
           title: "Shown by",
