@@ -1,6 +1,7 @@
 """What must have been seen of the light of a step: where it goes, its base, its light, limits, resets."""
 
 from models.header import selected
+from models.limits import INFINITY
 from verif.env.coverage.classes import scenario, told
 from verif.env.coverage.handshake import Found
 from verif.env.coverage.points import Bin, Coverage, Holds, Point, Samples, cross
@@ -29,6 +30,11 @@ def _only(channel: int) -> Holds:
 
 def _most(p: Parameters) -> int:
     return selected(p).shade.max
+
+
+def _farthest(p: Parameters) -> int:
+    """Distances from here on are none."""
+    return int(INFINITY * selected(p).point.one) - 1
 
 
 END = Point(
@@ -134,10 +140,10 @@ COVERAGE = Coverage(
                     lambda p, s: (
                         _shadow(s)
                         & (s["shadow_limit"] > 100 * selected(p).point.one)
-                        & (s["shadow_limit"] < selected(p).point.max)
+                        & (s["shadow_limit"] < _farthest(p))
                     ),
                 ),
-                Bin("farthest", FAR, lambda p, s: _shadow(s) & (s["shadow_limit"] == selected(p).point.max)),
+                Bin("farthest", FAR, lambda p, s: _shadow(s) & (s["shadow_limit"] >= _farthest(p))),
             ),
         ),
         Point(

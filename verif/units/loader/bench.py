@@ -316,7 +316,7 @@ async def reset_in_the_middle_of_a_frame_forgets_it(dut: Any) -> None:
     await holds(run, example, _any_frame(bench), st.integers(0, 200), _whole(bench), _IDLES, cost=4)
 
 
-def _frame_of(number: Capacity) -> Scene:
+def frame_of(number: Capacity) -> Scene:
     """So many objects of each kind, all alike."""
     sphere = Sphere(Material((1, 2, 3), (4, 5, 6), (7, 8, 9)), (10, 11, 12), 13)
     triangle = Triangle(sphere.material, ((1, 2, 3), (4, 5, 6), (7, 8, 9)))
@@ -339,7 +339,7 @@ def _fields(scene: Scene) -> int:
 async def rate_is_one_field_a_clock(dut: Any) -> None:
     """The largest frame, its words without a gap: hardly more clocks than fields."""
     bench, _ = await _bench(dut)
-    scene = _frame_of(bench.capacity)
+    scene = frame_of(bench.capacity)
     before = bench.now
     await bench.load(pack(scene, bench.counters).words, [], 0, scene)
     fields, behind = _fields(scene), 3
@@ -351,7 +351,7 @@ async def reset_in_each_clock_of_each_section_forgets_the_frame(dut: Any) -> Non
     """Of a frame of every kind of record that is too long, and so drained; the next one is exact."""
     bench, _ = await _bench(dut)
     triangles = min(1, bench.capacity.triangles)
-    scene = _frame_of(Capacity(1, 1, triangles))
+    scene = frame_of(Capacity(1, 1, triangles))
     words, surplus = pack(scene, bench.counters).words, (1, 2, 3, 4)
 
     async def start() -> None:
