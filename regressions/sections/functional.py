@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from regressions.outcome import RUNS
+from regressions.outcome import RUNS, simulations, sound
 from regressions.record import Bin, Curve, Point, Record, Unit
 from regressions.sections.notes import noted, older
 from verif.coverage import close, designs
@@ -33,10 +33,13 @@ def added(record: Record, root: Path) -> Record:
 
 
 def _hits(record: Record, root: Path) -> dict[str, By]:
-    """By unit, bin and result."""
+    """By unit, bin and result. What failed, or ran on a design broken on purpose, has covered nothing."""
     found: dict[str, By] = {}
     for result in record.results:
-        for run in sorted((root / result.folder / RUNS).glob("*/")) if result.folder else ():
+        folder = root / result.folder
+        good = [one for one in simulations(folder) if sound(one)] if result.folder else []
+        for simulation in good:
+            run = folder / RUNS / simulation["directory"]
             for unit, bins in database.merged(database.of_run(run)).items():
                 of_unit = found.setdefault(unit, {})
                 for name, number in bins.items():

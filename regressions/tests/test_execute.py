@@ -132,6 +132,7 @@ def _outcome(folder: Path, **changes: object) -> None:
     """What a simulation leaves, changed."""
     found = {
         "directory": "tried",
+        "exit_ok": True,
         "module": "verif.tried",
         "tests": {"it_works": None},
         "simulated_ns": {"it_works": 10.0},
@@ -160,6 +161,16 @@ def test_a_failed_bench_is_no_pass_whatever_the_exit_code(tmp_path: Path) -> Non
     result = _judged(tmp_path)
     assert result.status is Status.FAILED
     assert result.message == "b: sum is 3\nFailing test case: example(1)\n\na: early"
+
+
+def test_a_bench_that_fails_as_a_test_wants_it_to_is_no_failure(tmp_path: Path) -> None:
+    """Tests that break a design on purpose say themselves whether all is well."""
+    case = '<testsuite><testcase classname="verif.test_breaks" name="test_it"/></testsuite>'
+    (tmp_path / "pytest.xml").write_text(case)
+    _outcome(tmp_path, tests={"a": "failure as wanted"}, simulated_ns={"a": 1.0})
+    planned = replace(of_python("tried", ""), kind=Kind.PYTEST)
+    assert judged(planned, tmp_path, Ended(0, 1.0)).status is Status.PASSED
+    assert judged(planned, tmp_path, Ended(1, 1.0)).status is Status.FAILED
 
 
 def test_a_simulation_without_results_is_no_pass(tmp_path: Path) -> None:
