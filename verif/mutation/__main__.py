@@ -19,7 +19,7 @@ from verif.mutation import record
 from verif.mutation.explained import ExplanationError, Explanations
 from verif.mutation.judge import JudgeError
 from verif.mutation.netlist import NetlistError
-from verif.mutation.qualify import Plan, known, qualify
+from verif.mutation.qualify import Plan, known, qualify, skipped
 from verif.mutation.record import SCORE, UNDECIDED, Judged, Result, Verdict
 
 CORE_CONTROL = (
@@ -147,7 +147,9 @@ def main(arguments: Sequence[str]) -> int:
         return 2
     print(_HEAD)
     results, broken = [], 0
-    plans = [Plan(name, options.mutants, options.seed) for name in names]
+    for name in filter(skipped, names):
+        print(f"{name:16} not judged: {skipped(name)}")
+    plans = [Plan(name, options.mutants, options.seed) for name in names if not skipped(name)]
     for name, found in _results(plans, options.jobs):
         _show("")
         if isinstance(found, str):

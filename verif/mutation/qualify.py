@@ -49,8 +49,16 @@ class Plan:
 
 def parameter_set(unit: str) -> str:
     """The set in which a unit's mutants are judged."""
-    found = tomllib.loads(SETTINGS.read_text()).get(unit, {})
-    return str(found.get("set", "default"))
+    return _setting(unit, "set") or "default"
+
+
+def skipped(unit: str) -> str:
+    """Why a unit's mutants are not judged; empty where they are."""
+    return _setting(unit, "skip")
+
+
+def _setting(unit: str, name: str) -> str:
+    return str(tomllib.loads(SETTINGS.read_text()).get(unit, {}).get(name, ""))
 
 
 def known(plan: Plan) -> Result | None:
