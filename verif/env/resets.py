@@ -82,3 +82,20 @@ async def _reset_at(moments: Sequence[int], run: Reference, trace: Sequence[str]
         except AssertionError as error:
             error.add_note(f"behind a reset {moment + 1} clocks after the start, in {trace[moment]}")
             raise
+
+
+async def in_each_state(run: Reference, register: Any) -> None:
+    """Resets once in each state that a run goes through, in the first clock of it; for coverage, which counts
+    states and not clocks.
+    """
+    await run.start()
+    first: dict[int, int] = {}
+    for clock in range(run.clocks):
+        await run.step()
+        first.setdefault(int(register.value), clock)
+    await run.behind()
+    for clock in first.values():
+        await run.start()
+        for _ in range(clock):
+            await run.step()
+        await run.behind()

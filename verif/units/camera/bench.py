@@ -24,12 +24,14 @@ from verif.env.operands import from_rows
 from verif.env.resets import Reference
 
 _SIZE_W = 12
-_LARGEST = (1 << _SIZE_W) - 1
+LARGEST = (1 << _SIZE_W) - 1
+"""Width or height."""
 _FORMATS = formats(Knobs())
 _PLACES = tuple(Field.of(name, _FORMATS.coord, lanes=3) for name in ("position", "up", "center"))
 _BASE = Field.of("base", _FORMATS.screen, lanes=3)
-_LATENCY = LATENCY["camera"]({"SIZE_W": _SIZE_W})
-_LIMIT = 4 * _LATENCY
+CLOCKS = LATENCY["camera"]({"SIZE_W": _SIZE_W})
+"""From start to done, without a fault."""
+_LIMIT = 4 * CLOCKS
 
 
 @dataclass(frozen=True)
@@ -123,7 +125,7 @@ class CameraBench(Block):
         fault = Fault(self.read("fault"))
         same(f"fault of {drawn} with {size}", expected_fault(drawn, size), fault)
         if fault is Fault.NONE:
-            same("clocks from start to done", _LATENCY, clocks)
+            same("clocks from start to done", CLOCKS, clocks)
             self.compare(model(drawn, size, _FORMATS), size)
         return fault
 
@@ -140,7 +142,7 @@ class CameraBench(Block):
 
 
 def _sizes() -> st.SearchStrategy[Registers]:
-    count = st.sampled_from([1, 2, _LARGEST]) | st.integers(1, _LARGEST)
+    count = st.sampled_from([1, 2, LARGEST]) | st.integers(1, LARGEST)
     tangent = raws(_FORMATS.tan)
     return st.builds(Registers, count, count, tangent, tangent)
 
@@ -213,7 +215,7 @@ async def basis_is_orthonormal_and_looks_at_the_center_of_interest(dut: Any) -> 
         error = np.abs(basis @ basis.T - np.eye(3)).max()
         assert error < 5 * whole, f"off orthonormal by {error} in {basis}"
 
-    count = st.integers(1, _LARGEST)
+    count = st.integers(1, LARGEST)
     await holds(context.read(), example, cameras(), count, count, cost=2)
 
 
@@ -221,7 +223,7 @@ async def basis_is_orthonormal_and_looks_at_the_center_of_interest(dut: Any) -> 
 async def faults_are_found_exactly_and_only_where_they_are(dut: Any) -> None:
     """Sizes of 0, no view, an up along the view or one step beside it; then a camera that can be drawn."""
     bench = await CameraBench.create(dut)
-    count = st.sampled_from([0, 1, _LARGEST]) | st.integers(1, _LARGEST)
+    count = st.sampled_from([0, 1, LARGEST]) | st.integers(1, LARGEST)
     tangent = raws(_FORMATS.tan)
     sizes = st.builds(Registers, count, count, tangent, tangent)
 
@@ -274,7 +276,7 @@ async def reset_in_any_state_leaves_nothing_behind(dut: Any) -> None:
         same("done after reset", 0, bench.read("done"))
         await bench.run(after, size)
 
-    await holds(context.read(), example, cameras(), st.integers(0, _LATENCY), _any_camera(), _sizes(), cost=2)
+    await holds(context.read(), example, cameras(), st.integers(0, CLOCKS), _any_camera(), _sizes(), cost=2)
 
 
 @cocotb.test()
@@ -293,5 +295,5 @@ async def reset_in_each_clock_of_each_state_leaves_nothing_behind(dut: Any) -> N
         await bench.reset(1)
         await bench.run(after, size)
 
-    run = Reference(start, bench.clock, _LATENCY + 1, behind)
+    run = Reference(start, bench.clock, CLOCKS + 1, behind)
     await resets.at_every_clock(bench.log, run, dut.u_camera.state_reg, "scene/camera.v")
