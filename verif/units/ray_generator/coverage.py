@@ -1,165 +1,102 @@
-"""What must have been seen of the ray generator: shapes, places in a picture, slots, signs, resets."""
+"""What must have been seen of the ray generator: sizes, signs of the spans, gaps, resets."""
 
-from verif.env.coverage.classes import scenario
-from verif.env.coverage.handshake import Found, handshake, was
+import numpy as np
+from numpy.typing import NDArray
+
+from verif.env.coverage.classes import before, scenario
 from verif.env.coverage.points import Bin, Coverage, Holds, Point, Samples
 from verif.env.unit import Parameters
 
-SHAPES, LINES, WAITS, RESETS = map(scenario, ("shapes", "longest lines", "waits", "resets"))
+PICTURES, SIGNS, RESETS, WIDE = (scenario(name) for name in ("pictures", "signs", "resets", "wide"))
 
 
-def _cast(s: Samples) -> Found:
-    return (s["slot_ready"] == 1) & (s["slot_valid"] == 1)
+def _starts(s: Samples) -> NDArray[np.bool_]:
+    return np.asarray(s["start"] == 1)
 
 
-def _starts(s: Samples) -> Found:
-    return (s["start"] == 1) & (s["rst"] == 0)
+def _size(width: str, height: str) -> Holds:
+    def holds(p: Parameters, s: Samples) -> NDArray[np.bool_]:
+        fits = _starts(s)
+        for side, wanted in ((s["width"], width), (s["height"], height)):
+            cases = {"one": side == 1, "some": side > 1, "most": side == (1 << p.get("SIZE_W", 12)) - 1}
+            fits &= cases[wanted]
+        return np.asarray(fits)
+
+    return holds
 
 
-def _line_end(s: Samples) -> Found:
-    return s["x_reg"] == s["width"] - 1
+def _sign(side: str, lane: int, negative: int) -> Holds:
+    def holds(_p: Parameters, s: Samples) -> NDArray[np.bool_]:
+        return np.asarray(_starts(s) & (s[f"{side}_negative"] >> (2 - lane) & 1 == negative))
+
+    return holds
 
 
-def _last_line(s: Samples) -> Found:
-    return s["y_reg"] == s["height"] - 1
+def _gap(case: str) -> Holds:
+    def holds(_p: Parameters, s: Samples) -> NDArray[np.bool_]:
+        taken = (s["slot_valid"] == 1) & (s["slot_ready"] == 1)
+        cases = {
+            "none": taken & (before(taken.astype(np.int64)) == 1),
+            "in_a_picture": (s["slot_valid"] == 0) & (s["slot_ready"] == 1),
+            "slot_without_a_picture": (s["slot_valid"] == 1) & (s["slot_ready"] == 0),
+        }
+        return np.asarray(cases[case] & (s["rst"] == 0))
+
+    return holds
 
 
-def _largest(p: Parameters) -> int:
-    return (1 << p["SIZE_W"]) - 1
+def _reset(case: str) -> Holds:
+    def holds(_p: Parameters, s: Samples) -> NDArray[np.bool_]:
+        begins = (s["rst"] == 1) & (before(s["rst"]) == 0)
+        drawing = before(s["slot_ready"]) == 1
+        return np.asarray(begins & (drawing if case == "in_a_picture" else ~drawing))
+
+    return holds
 
 
-def _signs(name: str) -> Point:
-    def case(lane: int, negative: int) -> Holds:
-        return lambda _p, s: _cast(s) & (s[name] >> lane & 1 == negative)
-
-    bins = tuple(
-        Bin(f"{axis}_{'negative' if negative else 'positive'}", SHAPES, case(2 - place, negative))
-        for place, axis in enumerate("xyz")
-        for negative in (0, 1)
-    )
-    return Point(name, "signs of the span's components", bins)
-
+_SIGNS = tuple(
+    Bin(f"{side}_{axis}_{'negative' if negative else 'positive'}", SIGNS, _sign(side, lane, negative))
+    for side in ("column", "row")
+    for lane, axis in enumerate("xyz")
+    for negative in (0, 1)
+)
 
 COVERAGE = Coverage(
     signals=(
         "rst",
         "start",
-        "slot_valid",
-        "slot_ready",
-        "slot",
-        "out_valid",
         "width",
         "height",
-        "x_reg",
-        "y_reg",
         "column_negative",
         "row_negative",
+        "slot_valid",
+        "slot_ready",
     ),
     points=(
         Point(
-            "shape",
-            "of the picture",
+            "size",
+            "width and height",
             (
-                Bin("one_pixel", SHAPES, lambda _p, s: _starts(s) & (s["width"] == 1) & (s["height"] == 1)),
-                Bin("one_line", SHAPES, lambda _p, s: _starts(s) & (s["width"] > 1) & (s["height"] == 1)),
-                Bin("one_column", SHAPES, lambda _p, s: _starts(s) & (s["width"] == 1) & (s["height"] > 1)),
-                Bin("lines", SHAPES, lambda _p, s: _starts(s) & (s["width"] > 1) & (s["height"] > 1)),
-                Bin("widest", LINES, lambda p, s: _starts(s) & (s["width"] == _largest(p))),
-                Bin("highest", LINES, lambda p, s: _starts(s) & (s["height"] == _largest(p))),
+                Bin("one_one", PICTURES, _size("one", "one")),
+                Bin("one_some", PICTURES, _size("one", "some")),
+                Bin("some_one", PICTURES, _size("some", "one")),
+                Bin("some_some", PICTURES, _size("some", "some")),
+                Bin("most_one", WIDE, _size("most", "one")),
+                Bin("one_most", WIDE, _size("one", "most")),
             ),
         ),
+        Point("sign", "signs of the spans", _SIGNS),
         Point(
-            "place",
-            "of a ray that is cast",
-            (
-                Bin("first", SHAPES, lambda _p, s: _cast(s) & (s["x_reg"] == 0) & (s["y_reg"] == 0)),
-                Bin("within_a_line", SHAPES, lambda _p, s: _cast(s) & (s["x_reg"] > 0) & ~_line_end(s)),
-                Bin(
-                    "end_of_a_line",
-                    SHAPES,
-                    lambda _p, s: _cast(s) & _line_end(s) & ~_last_line(s) & (s["x_reg"] > 0),
-                ),
-                Bin("begin_of_a_line", SHAPES, lambda _p, s: _cast(s) & (s["x_reg"] == 0) & (s["y_reg"] > 0)),
-                Bin(
-                    "begin_and_end_of_a_line",
-                    SHAPES,
-                    lambda _p, s: _cast(s) & (s["x_reg"] == 0) & _line_end(s) & ~_last_line(s),
-                ),
-                Bin("last", SHAPES, lambda _p, s: _cast(s) & _line_end(s) & _last_line(s)),
-                Bin("last_of_the_widest", LINES, lambda p, s: _cast(s) & (s["x_reg"] == _largest(p) - 1)),
-                Bin("last_of_the_highest", LINES, lambda p, s: _cast(s) & (s["y_reg"] == _largest(p) - 1)),
-            ),
-        ),
-        handshake("slots", "slot_valid", "slot_ready", WAITS, leave_out=("stalled",)),
-        Point(
-            "line",
-            "its first ray",
-            (
-                Bin(
-                    "at_once",
-                    SHAPES,
-                    lambda _p, s: _cast(s) & (s["x_reg"] == 0) & (s["y_reg"] > 0) & was(_cast(s)),
-                ),
-                Bin(
-                    "behind_a_wait",
-                    WAITS,
-                    lambda _p, s: _cast(s) & (s["x_reg"] == 0) & (s["y_reg"] > 0) & ~was(_cast(s)),
-                ),
-            ),
-        ),
-        Point(
-            "slot",
-            "of a ray",
-            (
-                Bin("first", SHAPES, lambda _p, s: _cast(s) & (s["slot"] == 0)),
-                Bin("last", SHAPES, lambda p, s: _cast(s) & (s["slot"] == (1 << p["SLOT_W"]) - 1)),
-            ),
-        ),
-        _signs("column_negative"),
-        _signs("row_negative"),
-        Point(
-            "start",
-            "of a picture",
-            (
-                Bin("behind_another", SHAPES, lambda _p, s: _starts(s) & (s["y_reg"] > 0)),
-                Bin("slot_waits_for_it", WAITS, lambda _p, s: _starts(s) & was(s["slot_valid"] == 1)),
+            "gap",
+            "slots and pictures",
+            tuple(
+                Bin(case, PICTURES, _gap(case)) for case in ("none", "in_a_picture", "slot_without_a_picture")
             ),
         ),
         Point(
             "reset",
-            "what was under way",
-            (
-                Bin(
-                    "nothing",
-                    RESETS,
-                    lambda _p, s: (s["rst"] == 1) & (s["slot_ready"] == 0) & (s["out_valid"] == 0),
-                ),
-                Bin(
-                    "first_pixel",
-                    RESETS,
-                    lambda _p, s: (
-                        (s["rst"] == 1) & (s["slot_ready"] == 1) & (s["x_reg"] == 0) & (s["y_reg"] == 0)
-                    ),
-                ),
-                Bin(
-                    "within_a_line",
-                    RESETS,
-                    lambda _p, s: (s["rst"] == 1) & (s["slot_ready"] == 1) & (s["x_reg"] > 0),
-                ),
-                Bin(
-                    "begin_of_a_line",
-                    RESETS,
-                    lambda _p, s: (
-                        (s["rst"] == 1) & (s["slot_ready"] == 1) & (s["x_reg"] == 0) & (s["y_reg"] > 0)
-                    ),
-                ),
-                Bin("a_ray", RESETS, lambda _p, s: (s["rst"] == 1) & (s["out_valid"] == 1)),
-                Bin(
-                    "last_ray",
-                    RESETS,
-                    lambda _p, s: (s["rst"] == 1) & (s["out_valid"] == 1) & (s["slot_ready"] == 0),
-                ),
-            ),
+            "reset",
+            tuple(Bin(case, RESETS, _reset(case)) for case in ("in_a_picture", "between_pictures")),
         ),
     ),
 )
