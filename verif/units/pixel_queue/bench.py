@@ -216,6 +216,17 @@ async def a_consumer_that_stops_stops_the_slots(dut: Any) -> None:
 
 
 @cocotb.test()
+async def a_line_and_a_column_end_where_the_size_says_up_to_the_largest(dut: Any) -> None:
+    """All bits of both sizes, one and alternating, in pictures of one line and of one column."""
+    bench, run = await _bench(dut)
+    largest = (1 << run.parameters["SIZE_W"]) - 1
+    for side in (largest, largest // 3, largest // 3 * 2):
+        for width, height in ((side, 1), (1, side)):
+            await bench.restart()
+            await bench.picture(Picture(width, height, (), (0,), (), ()))
+
+
+@cocotb.test()
 async def rate_is_one_pixel_a_clock_where_slots_cover_the_latency(dut: Any) -> None:
     """Pixels come back, in order, some clocks after their slots were taken."""
     bench, _ = await _bench(dut)
