@@ -41,7 +41,7 @@ POINTS: tuple[Point, ...] = (
     told(
         "behind",
         "a picture behind another",
-        dict.fromkeys(("whole_whole", "broken_whole", "two_broken"), PICTURES),
+        dict.fromkeys(_PAIRS.values(), PICTURES),
     ),
     told(
         "core_reset",
