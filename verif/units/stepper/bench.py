@@ -84,6 +84,22 @@ async def no_error_accumulates_over_the_longest_line(dut: Any) -> None:
 
 
 @cocotb.test()
+async def twice_the_remainder_carries_from_half_of_the_count_on(dut: Any) -> None:
+    """Twice the remainder differs from the count by less than each of its bits is worth.
+
+    One carry makes up for the other until the sum is near the count, so lines are long enough for that.
+    """
+    run = context.read()
+    bench = StepperBench(dut, run.parameters)
+    await bench.clock()
+    for count in (bench.counts // 3, bench.counts // 3 * 2):
+        for bit in range(run.parameters["COUNT_W"] - 1):
+            for away in (-1, -(3 << bit) // 4, 1, (3 << bit) // 4):
+                whole = int(run.generator(bit).integers(0, bench.spans // count - 1)) * count
+                await bench.line(whole + (count + away) // 2, count, min(count, (count << 1 >> bit) + 3))
+
+
+@cocotb.test()
 async def every_line_of_a_narrow_stepper_is_exact(dut: Any) -> None:
     """All spans, all counts, all pixels, in the parameter set that is narrow enough."""
     run = context.read()
