@@ -96,7 +96,7 @@ class Block:
     async def reset(self, cycles: int = 1) -> None:
         """Resets the block, wherever it is; the next clock is the first one after it.
 
-        One clock must be enough: in a second one a state that is not reset would have moved on to one that is.
+        One clock must do: in a second one a state that is not reset would have moved on to one that is.
         """
         self.set(**dict.fromkeys(self._idle, 0))
         await self.clock(rst=1)
