@@ -32,6 +32,9 @@ from regressions.report.page import PAGE, page
 
 _SEEDS = 1 << 31
 
+_NOTES = 4
+"""Told at the end of a regression; the summary has them all."""
+
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="python -m regressions", description="Run lists of tests.")
@@ -156,7 +159,9 @@ def run_order(order: Order) -> int:
 def _last_words(found: Record, folder: Path) -> list[str]:
     counts = ", ".join(f"{n} {status.replace('_', ' ')}" for status, n in found.counts().items() if n)
     failures = [f"{len(bucket.results)} x {bucket.message}\n    {bucket.command}" for bucket in found.buckets]
-    notes = [f"note: {note}" for note in found.notes]
+    notes = [f"note: {note}" for note in found.notes[:_NOTES]]
+    if left := len(found.notes) - len(notes):
+        notes.append(f"{left} more notes are in the summary")
     return [*failures, *notes, f"{found.list}: {counts} in {found.seconds:.0f} s; {folder / 'summary.md'}"]
 
 
