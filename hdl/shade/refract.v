@@ -71,26 +71,42 @@ module refract #(
     // Tables by {leaving, index}, made of the definition of the code; steps of the code in n = 1
     localparam CODES = 1 << `RT_INDEX_W;
     localparam ONE = `RT_INDEX_ONE;
-    wire [2*CODES*ETA_W-1:0] eta_table;
-    wire [2*CODES*ETA_SQ_W-1:0] eta_sq_table;
+    localparam ETAS_W = 2 * CODES * ETA_W;
+    localparam ETA_SQS_W = 2 * CODES * ETA_SQ_W;
 
-    genvar code;
-    generate
-        for (code = 0; code < CODES; code = code + 1) begin : g_code
-            localparam N = ONE + code;
-            localparam [31:0] ENTER = (ONE << `RT_ETA_FRAC) / N;
-            localparam [31:0] LEAVE = (N << `RT_ETA_FRAC) / ONE;
-            localparam [31:0] ENTER_SQ = (ONE * ONE << `RT_ETA_SQ_FRAC) / (N * N);
-            localparam [31:0] LEAVE_SQ = (N * N << `RT_ETA_SQ_FRAC) / (ONE * ONE);
-            assign eta_table[code*ETA_W+:ETA_W] = ENTER[ETA_W-1:0];
-            assign eta_table[(CODES+code)*ETA_W+:ETA_W] = LEAVE[ETA_W-1:0];
-            assign eta_sq_table[code*ETA_SQ_W+:ETA_SQ_W] = ENTER_SQ[ETA_SQ_W-1:0];
-            assign eta_sq_table[(CODES+code)*ETA_SQ_W+:ETA_SQ_W] = LEAVE_SQ[ETA_SQ_W-1:0];
+    function [ETAS_W-1:0] all_eta;
+        input integer one;
+        integer code, enter, leave;
+        begin
+            all_eta = {ETAS_W{1'b0}};
+            for (code = 0; code < CODES; code = code + 1) begin
+                enter = (one << `RT_ETA_FRAC) / (one + code);
+                leave = ((one + code) << `RT_ETA_FRAC) / one;
+                all_eta = all_eta | ({{ETAS_W - 32{1'b0}}, enter} << (code * ETA_W))
+                        | ({{ETAS_W - 32{1'b0}}, leave} << ((CODES + code) * ETA_W));
+            end
         end
-    endgenerate
+    endfunction
 
-    wire [ETA_W-1:0] eta = eta_table[{leaving, index}*ETA_W+:ETA_W];
-    wire [ETA_SQ_W-1:0] eta_sq = eta_sq_table[{leaving, index}*ETA_SQ_W+:ETA_SQ_W];
+    function [ETA_SQS_W-1:0] all_eta_sq;
+        input integer one;
+        integer code, enter, leave;
+        begin
+            all_eta_sq = {ETA_SQS_W{1'b0}};
+            for (code = 0; code < CODES; code = code + 1) begin
+                enter = (one * one << `RT_ETA_SQ_FRAC) / ((one + code) * (one + code));
+                leave = ((one + code) * (one + code) << `RT_ETA_SQ_FRAC) / (one * one);
+                all_eta_sq = all_eta_sq | ({{ETA_SQS_W - 32{1'b0}}, enter} << (code * ETA_SQ_W))
+                           | ({{ETA_SQS_W - 32{1'b0}}, leave} << ((CODES + code) * ETA_SQ_W));
+            end
+        end
+    endfunction
+
+    localparam [ETAS_W-1:0] ETA = all_eta(ONE);
+    localparam [ETA_SQS_W-1:0] ETA_SQ = all_eta_sq(ONE);
+
+    wire [ETA_W-1:0] eta = ETA[{leaving, index}*ETA_W+:ETA_W];
+    wire [ETA_SQ_W-1:0] eta_sq = ETA_SQ[{leaving, index}*ETA_SQ_W+:ETA_SQ_W];
 
     // c, held in 0 to 1
     localparam [UNIT_W:0] COSINE_ONE = 1 << `RT_UNIT_FRAC;

@@ -79,8 +79,8 @@ UNIT = PipelinedUnit(
     model=_model,
     directed=_directed,
     breaks=(
-        Break("shade/refract.v", "localparam [31:0] LEAVE = (N <<", "localparam [31:0] LEAVE = ((N - 1) <<"),
-        Break("shade/refract.v", "/ (N * N)", "/ (N * ONE)"),
+        Break("shade/refract.v", "leave = ((one + code) <<", "leave = ((one + code - 1) <<"),
+        Break("shade/refract.v", "/ ((one + code) * (one + code))", "/ ((one + code) * one)"),
         Break("shade/refract.v", "opposite > COSINE_ONE ? COSINE_ONE : opposite", "opposite"),
         Break("shade/refract.v", "total_reg ? ETA_ONE : radicand_eta", "radicand_eta"),
         Break("shade/refract.v", "root_total ? {GAIN_W{1'b0}} : gain_next", "gain_next"),
