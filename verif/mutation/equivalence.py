@@ -279,12 +279,13 @@ class Solver:
         """Traces and inductions, the short ones first."""
         loose = self._all_behind(touched)
         tried = 0
-        for clocks in _DEPTHS:
+        large = len(self.design.gates) > _LARGEST
+        for clocks in _DEPTHS[:1] if large else _DEPTHS:
             found = self._trace(mutant, clocks)
             if isinstance(found, Decision):
                 return found
             if not tried:
-                for length in _INDUCTIONS if found is Answer.NO else ():
+                for length in _INDUCTIONS if found is Answer.NO and not large else ():
                     if self._inductive(mutant, loose, length):
                         return Decision(Verdict.EQUIVALENT, f"the same by induction over {length} clocks")
                 if self._side_by_side(mutant, loose):

@@ -152,16 +152,18 @@ async def writes_never_touch_the_frame_that_is_drawn(dut: Any) -> None:
 
 @cocotb.test()
 async def every_record_of_a_frame_comes_back_after_the_swap(dut: Any) -> None:
-    """Each kind and index once, then a swap, then each one read; the other bank in the same way."""
+    """Each kind and index once, in any order, and records of no kind; then a swap, then each one read; the
+    other bank in the same way."""
     run = context.read()
     bench = MemoryBench(dut, run.parameters)
     await bench.restart()
     keys = [(Record.CAMERA, 0), (Record.TAIL, 0)]
     keys += [(kind, index) for kind, size in bench.capacity.items() for index in range(size)]
+    strange = [(kind, 0) for kind in range(_KINDS) if kind not in _SLOTS]
     generator = run.generator(0)
     first = dict.fromkeys(PORTS, 0)
     for _ in range(20):
-        for kind, index in keys:
+        for kind, index in generator.permutation([*keys, *strange]).tolist():
             record = int.from_bytes(generator.bytes(RECORD_SLOTS * _SLOT_W // 8), "big")
             await bench.step(Clock(True, kind, index, record, False, first))
         await bench.step(Clock(False, 0, 0, 0, True, first))
