@@ -1,7 +1,7 @@
 """Code coverage of the design by the benches.
 
     python -m verif.coverage.code collect [--units sqrt,div] [--core] [--missing] [--jobs 2]
-    python -m verif.coverage.code report [--holes sqrt|hdl/arith/sqrt.v ...] [--exclusions]
+    python -m verif.coverage.code report [--holes [sqrt|hdl/arith/sqrt.v ...]] [--exclusions]
     python -m verif.coverage.code export [--lcov FILE] [--ucis FILE]
 
 `collect` runs the benches (without options all of them) and keeps what each run hit; `report` shows what all
@@ -64,9 +64,9 @@ def _kept() -> CodeCoverage:
     return coverage
 
 
-def _show(wanted: Sequence[str], with_exclusions: bool = False) -> int:
+def _show(wanted: Sequence[str] | None, with_exclusions: bool = False) -> int:
     review = _review(_kept())
-    if wanted:
+    if wanted is not None:
         print("\n".join(totals.holes(review, _files(wanted))))
     else:
         print("\n".join(totals.table(review)))
@@ -87,7 +87,7 @@ def _collect(options: argparse.Namespace) -> int:
     failed = collect.collect(_names(options), options.jobs)
     for run in failed:
         print(f"{run.name} failed: {run.complaint}", file=sys.stderr)
-    return max(_show([]), int(bool(failed)))
+    return max(_show(None), int(bool(failed)))
 
 
 def _export(options: argparse.Namespace) -> int:
@@ -112,7 +112,7 @@ def _parser() -> argparse.ArgumentParser:
     )
     collecting.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="runs at a time")
     reporting = commands.add_parser("report", help="show what was kept")
-    reporting.add_argument("--holes", nargs="+", default=[], help="list holes: files of hdl/, modules")
+    reporting.add_argument("--holes", nargs="*", metavar="FILE", help="list holes: of modules, files, or all")
     reporting.add_argument(
         "--exclusions", action="store_true", help="list how much each exclusion leaves out"
     )

@@ -22,7 +22,7 @@ FILE = "coverage.dat"
 _LINE = re.compile(r"C '(?P<keys>[^']*(?:'[^' ][^']*)*)' (?P<count>\d+)")
 _SINK = re.compile(r"^\s*wire\s+unused_\w+\s*=\s*&\{1'b0\b[^;]*;", re.MULTILINE)
 _ITERATION = re.compile(r"\[\d+\](?=\.)")
-_INDEX_WIDTH = re.compile(r"\[\d+(:0)?\](?=\+:)")
+_INDEX_WIDTH = re.compile(r"\[\d+(:0)?\](?=( \+ \d+)?\+:)")
 
 
 class CoverageError(ValueError):

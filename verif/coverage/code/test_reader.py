@@ -58,8 +58,8 @@ def test_iterations_of_a_generate_loop_count_together_and_elements_of_an_array_d
 
 
 def test_an_expression_is_the_same_at_every_width(tmp_path: Path) -> None:
-    names = ("(r[(S + 32'sh1)[2:0]+:1]==0) => 0", "(r[(S + 32'sh1)[4:0]+:1]==0) => 0")
-    assert len(_read(tmp_path, *(_line("expr", name, 1) for name in names)).points) == 1
+    names = [f"(r[(S + 32'sh1)[{top}:0]{offset}+:1]==0) => 0" for top in (2, 4) for offset in ("", " + 1")]
+    assert len(_read(tmp_path, *(_line("expr", name, 1) for name in names)).points) == 2
 
 
 def test_a_test_that_hits_nothing_is_not_among_those_that_hit(tmp_path: Path) -> None:
