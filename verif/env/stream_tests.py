@@ -143,9 +143,14 @@ async def rate_and_latency_are_as_promised(bench: StreamBench, run: context.Cont
 
 
 async def a_result_waits_for_as_long_as_it_must(bench: StreamBench, run: context.Context) -> None:
-    """A sink that stalls for many times the latency gets every result, unchanged, once."""
+    """A sink that stalls for many times the latency gets every result, unchanged, once; a unit without an
+    operand waits for no sink."""
     drawn = mixed(bench.unit, run.generator(_RATE_STREAM), run, 4)
-    await bench.run(drawn, stalls=[5 * bench.unit.latency(run.parameters)])
+    given, _ = await bench.run(drawn, stalls=[5 * bench.unit.latency(run.parameters)])
+    if given.taken[0] != given.offered[0]:
+        raise Mismatch(
+            f"offered at clock {given.offered[0]}, accepted at clock {given.taken[0]}: not at once"
+        )
 
 
 async def sides_that_are_stuck_for_long_lose_nothing(bench: StreamBench, run: context.Context) -> None:

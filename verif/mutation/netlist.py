@@ -24,11 +24,15 @@ from verif.mutation.record import FOLDER, Mutant
 SELECT = "mutsel"
 """Port that chooses a mutant."""
 
-_CLOCKS = frozenset({"CLK", "RD_CLK", "WR_CLK"})
-"""Cell ports that are left alone: a solver that knows one clock would call a wrong clock equivalent."""
+_UNTOUCHED = frozenset({"CLK", "WR_CLK", "RD_CLK", "RD_EN", "RD_ARST", "RD_SRST"})
+"""Cell ports that are left alone: a solver that knows one clock would call a wrong clock equivalent; the
+controls of a memory's read are constants, for registers behind it are cells of their own."""
 
 _SPARE = 1.5
 """So many times the wanted mutants are asked for, since some are left out."""
+
+_LISTS = ("list.txt", "more.txt")
+"""Files of mutants: in the unit's own files, and in all."""
 
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _PORT = re.compile(r"^  (?:input|output) (?:\[[^]]*\] )?(\S+);", re.MULTILINE)
@@ -89,7 +93,10 @@ def make(unit: Unit, parameter_set: str, wanted: int, seed: int) -> Netlist:
     folder.mkdir(parents=True, exist_ok=True)
     yosys(folder, "list", _elaborate(build, folder) + _listing(unit, folder, wanted, seed))
     named = _named(unit)
-    lines = [line for line in (folder / "list.txt").read_text().splitlines() if _usable(line, named)][:wanted]
+    listed = [(folder / name).read_text().splitlines() for name in _LISTS]
+    # Where the unit's own files have too few places, as where it only wires others up, those below serve too.
+    usable = dict.fromkeys(line for lines in listed for line in lines if _usable(line, named))
+    lines = list(usable)[:wanted]
     width = max(1, len(lines).bit_length())
     apply = [_numbered(line, number, width) for number, line in enumerate(lines, 1)]
     at = folder.relative_to(sources.ROOT)
@@ -163,17 +170,23 @@ def _elaborate(build: Build, folder: Path) -> str:
 
 def _listing(unit: Unit, folder: Path, wanted: int, seed: int) -> str:
     at = folder.relative_to(sources.ROOT)
-    chosen = " ".join(f"a:src=*{name}*" for name in sources.relative(own_files(unit)))
+    number = int(wanted * _SPARE) + 4
+    choices = zip(_LISTS, (own_files(unit), _design(unit)), strict=True)
+    lists = [
+        f"mutate -list {number} -seed {seed} -o {at}/{name} "
+        + " ".join(f"a:src=*{file}*" for file in sources.relative(files))
+        for name, files in choices
+    ]
     return "\n".join(
         [
-            "prep -flatten",
+            "prep -flatten -nordff",
             "pmuxtree",  # a mutated $pmux would break its promise that one case holds
             "async2sync",
             "opt -full",
             "dffunmap",  # no optimisation behind it: it would put the controls back
             "opt_clean",
             f"write_rtlil {at}/plain.il",
-            f"mutate -list {int(wanted * _SPARE) + 4} -seed {seed} -o {at}/list.txt {chosen}",
+            *lists,
         ]
     )
 
@@ -199,7 +212,7 @@ def _usable(line: str, named: set[str]) -> bool:
         return False
     found = _options(line)
     port, wire = found["port"][0], found.get("wire", [""])[0]
-    return port not in _CLOCKS and not (port == "Q" and wire.split(".")[-1] in named)
+    return port not in _UNTOUCHED and not (port == "Q" and wire.split(".")[-1] in named)
 
 
 def _numbered(line: str, number: int, width: int) -> str:

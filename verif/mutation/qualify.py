@@ -1,6 +1,6 @@
 """Qualifies the bench of a unit: makes mutants, has them judged, sorts the survivors out, keeps the result.
 
-Survivors get a second, longer look with another seed once the solver has taken out those that are equivalent:
+Survivors get more and longer looks with other seeds once the solver has taken out those that are equivalent:
 it is cheap to give every mutant little and the few that are left much.
 """
 
@@ -30,6 +30,8 @@ METHOD = 1
 SETTINGS = Path(__file__).with_name("settings.toml")
 
 _FIRST, _SECOND = Effort(examples=8, operands=1_000), Effort(examples=150, operands=20_000)
+_LOOKS = 4
+"""A survivor is looked at so many times: another seed is also another state before reset."""
 
 Progress = Callable[[str, int, int], None]
 """What is done, how much of it, and of how much."""
@@ -79,11 +81,12 @@ def qualify(plan: Plan, progress: Progress = lambda *_: None) -> Result:
     session = _judged(plan, unit, mutated, None, _FIRST, plan.seed, progress)
     found = {one.mutant.number: one for one in session.judged}
     found.update(_decided(unit, chosen, mutated, found, progress))
-    left = [number for number, one in found.items() if _open(one)]
-    if left and plan.again:
-        again = _judged(plan, unit, mutated, left, _SECOND, plan.seed + 1, progress)
-        caught = (one for one in again.judged if one.status is not Status.SURVIVED)
-        found.update({one.mutant.number: one for one in caught})
+    for look in range(1, _LOOKS if plan.again else 1):
+        left = [number for number, one in found.items() if _open(one)]
+        if left:
+            again = _judged(plan, unit, mutated, left, _SECOND, plan.seed + look, progress)
+            caught = (one for one in again.judged if one.status is not Status.SURVIVED)
+            found.update({one.mutant.number: one for one in caught})
     files = {*sources.relative([*sources.closure(unit.module), *sources.headers()]), *session.files}
     own = str(Path(__file__).parent.relative_to(sources.ROOT))
     return Result(
