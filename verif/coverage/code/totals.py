@@ -52,23 +52,23 @@ def over_files(by_file: Mapping[str, Mapping[Kind, Total]]) -> dict[Kind, Total]
 
 def _cell(total: Total) -> str:
     if not total.points:
-        return f"{'-':>14}"
+        return f"{'-':>20}"
     left = f" -{total.excluded}" if total.excluded else ""
-    return f"{f'{total.hit}/{total.points}{left}':>14}"
+    return f"{f'{total.hit}/{total.points}{left}':>20}"
 
 
 def table(review: Review) -> list[str]:
     """Lines of text: hit/points -excluded of each file and kind, and percentages of all."""
     by_file = totals(review)
     width = max((len(file) for file in by_file), default=4)
-    lines = [f"{'file':{width}}" + "".join(f"{kind:>14}" for kind in Kind)]
+    lines = [f"{'file':{width}}" + "".join(f"{kind:>20}" for kind in Kind)]
     lines += [f"{file:{width}}" + "".join(map(_cell, of.values())) for file, of in by_file.items()]
     whole = over_files(by_file)
     lines.append(f"{'all':{width}}" + "".join(map(_cell, whole.values())))
     lines.append(
-        f"{'of those not excluded':{width}}" + "".join(f"{t.percent:>12.2f} %" for t in whole.values())
+        f"{'of those not excluded':{width}}" + "".join(f"{t.percent:>18.2f} %" for t in whole.values())
     )
-    lines.append(f"{'excluded':{width}}" + "".join(f"{t.excluded_percent:>12.2f} %" for t in whole.values()))
+    lines.append(f"{'excluded':{width}}" + "".join(f"{t.excluded_percent:>18.2f} %" for t in whole.values()))
     every = sum(whole.values(), Total())
     lines.append(
         f"{every.hit} of {every.points} points, {every.excluded} excluded ({every.excluded_percent:.2f} %): "
