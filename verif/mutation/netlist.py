@@ -28,7 +28,7 @@ _UNTOUCHED = frozenset({"CLK", "WR_CLK", "RD_CLK", "RD_EN", "RD_ARST", "RD_SRST"
 """Cell ports that are left alone: a solver that knows one clock would call a wrong clock equivalent; the
 controls of a memory's read are constants, for registers behind it are cells of their own."""
 
-_SPARE = 1.5
+_SPARE = 3
 """So many times the wanted mutants are asked for, since some are left out."""
 
 _LISTS = ("list.txt", "more.txt")
