@@ -31,7 +31,9 @@ def _directed(_: Parameters, generator: Generator, size: int) -> Operands:
     light = np.where(generator.random(size) < 0.5, anywhere >> 5, anywhere)
     direction = vectors.directions(generator, size)
     any_length = 2.0 ** generator.uniform(0.0, FMTS.point.width, size)
-    infinity = 256.0 * FMTS.point.one + generator.uniform(-64.0, 64.0, size)
+    # Off by as much as any bit of the length is worth, so that each decides somewhere.
+    off = generator.choice([-1.0, 1.0], size) * 2.0 ** generator.uniform(0.0, FMTS.point.width - 2, size)
+    infinity = 256.0 * FMTS.point.one + off
     steps = generator.integers(-1, 1, (3, size), endpoint=True)
     away = vectors.pick(
         generator,
