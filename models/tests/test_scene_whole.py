@@ -283,7 +283,13 @@ def test_all_kinds_together_show_more_than_sky() -> None:
 @cache
 def samples_of_all() -> tuple[Scene, ...]:
     """From several starts: Hypothesis varies what it has drawn, so some kinds are rare in one run."""
-    return tuple(scene for start in range(6) for scene in drawn(whole_scenes(), 70, start))
+    return tuple(scene for start in range(6) for scene in samples_from(start))
+
+
+@cache
+def samples_from(start: int) -> tuple[Scene, ...]:
+    """Scenes of all kinds, from one start."""
+    return tuple(drawn(whole_scenes(), 70, start))
 
 
 def looks_like(name: str, scene: Scene) -> bool:
@@ -296,7 +302,8 @@ def looks_like(name: str, scene: Scene) -> bool:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_all_kinds_together_contain_each_kind(name: str) -> None:
-    assert any(looks_like(name, scene) for scene in samples_of_all())
+    # What Hypothesis draws depends on the modules that are loaded: as many starts as it takes, within reason.
+    assert any(looks_like(name, scene) for start in range(40) for scene in samples_from(start))
 
 
 @pytest.mark.parametrize("name", NAMES)
