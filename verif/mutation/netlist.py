@@ -140,6 +140,7 @@ def design(mutated: Netlist) -> Design:
                 "dffunmap",
                 "simplemap",
                 "aigmap",
+                "setundef -zero",
                 "opt_clean",
                 f"write_aiger -map {at}/graph.map {at}/graph.aig",
             ]
