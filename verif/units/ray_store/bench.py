@@ -344,12 +344,9 @@ async def a_long_run_loses_no_ray(dut: Any) -> None:
     bench.log.info("%d rays checked", rays)
 
 
-@cocotb.test()
-async def the_worst_trees_fill_every_level_and_none_overflows(dut: Any) -> None:
+async def _flood(bench: StoreBench, depth: int, primaries: int) -> None:
     """Two children a ray. All that can go goes, unanswered; then all answers come to a taker that stalls."""
-    bench, _ = await _bench(dut)
-    primaries = bench.room // 2 + 8
-    tracer = bench.begin(Frame(bench.depths, 2, primaries), Manners(splits=(2,)))
+    tracer = bench.begin(Frame(depth, 2, primaries), Manners(splits=(2,)))
     while not tracer.done:
         before = tracer.taken, tracer.given
         while await bench.step(tracer, answer=False) or bench.store.waiting:
@@ -358,7 +355,15 @@ async def the_worst_trees_fill_every_level_and_none_overflows(dut: Any) -> None:
             await bench.step(tracer, take=False)
         if before == (tracer.taken, tracer.given):
             raise Mismatch(f"deadlock with {tracer.taken} rays traced")
-    same("rays traced", primaries * (2**bench.depths - 1), tracer.taken)
+    same("rays traced", primaries * (2**depth - 1), tracer.taken)
+
+
+@cocotb.test()
+async def the_worst_trees_fill_every_level_and_none_overflows(dut: Any) -> None:
+    """Trees of the largest depth, then of each smaller one."""
+    bench, _ = await _bench(dut)
+    primaries = bench.room // 2 + 8
+    await _flood(bench, bench.depths, primaries)
     # The first two that come go to the output, unless rays of the next depth have no place.
     for depth, most in bench.store.peaks.items():
         assert bench.room - _WAITING <= most <= bench.room, (
@@ -366,6 +371,8 @@ async def the_worst_trees_fill_every_level_and_none_overflows(dut: Any) -> None:
         )
     if bench.depths >= 3:
         same("most rays stored of a depth", bench.room, max(bench.store.peaks.values()))
+    for depth in range(bench.depths - 1, 0, -1):
+        await _flood(bench, depth, primaries)
 
 
 @cocotb.test()
