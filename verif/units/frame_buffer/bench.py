@@ -120,6 +120,10 @@ class BufferBench:
         if self.seen is not None:
             self.seen.tell(f"swap.{name}")
 
+    async def all_shown(self, _pictures: int) -> None:
+        """See `verif.video.scenarios.Screen`."""
+        await self.watch()
+
     async def watch(self, gaps: Sequence[int] = ()) -> None:
         """Swaps and looks until all is sent and the last picture is shown."""
         quiet = 0

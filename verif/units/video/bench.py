@@ -63,6 +63,10 @@ class VideoBench:
         self.sender.check()
         return shown
 
+    async def all_shown(self, pictures: int) -> None:
+        """See `verif.video.scenarios.Screen`."""
+        await self.watch(pictures)
+
     async def watch(self, shots: int, idles: Sequence[int] = ()) -> None:
         """Looks until all is sent, pictures ``shots`` of it, and the last one is seen; judges all frames."""
         clocks = self.sender.queued * (1 + max(idles, default=0))
