@@ -84,6 +84,7 @@ def test_a_run_that_is_interrupted_has_not_run(tmp_path: Path) -> None:
     ("text", "told"),
     [
         ("", "no tests ran"),
+        # What is tried here is a skip itself: a run whose every test skips must not pass.
         ("import pytest\n@pytest.mark.skip(reason='never')\ndef test_it():\n    assert 0\n", "no test ran"),
         ("def test_it():\n    assert 1 + 1 == 3\n", "assert (1 + 1) == 3"),
         ("import os\ndef test_it():\n    os._exit(0)\n", "no test ran"),
