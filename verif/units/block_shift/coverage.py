@@ -9,6 +9,7 @@ from models.fixed import Raw
 from verif.env.coverage.classes import all_lanes, any_lane, operand
 from verif.env.coverage.points import Coverage, Holds, Samples
 from verif.env.coverage.sieve import Sieve
+from verif.env.coverage.signs import by_sign
 from verif.env.unit import Parameters
 from verif.units.block_shift.unit import UNIT
 
@@ -120,15 +121,14 @@ def _dropped(sign: int, matches: Callable[[Raw, int], NDArray[np.bool_]]) -> Hol
 DROPPED = SIEVE.point(
     "dropped",
     "low bits of a component that are dropped: floor, whatever the sign",
-    {
-        f"{name}_{side}": _dropped(sign, matches)
-        for side, sign in (("positive", 1), ("negative", -1))
-        for name, matches in {
+    by_sign(
+        _dropped,
+        {
             "nothing": lambda rest, _ones: rest == 0,
             "least": lambda rest, _ones: rest == 1,
             "most": lambda rest, ones: rest == ones,
-        }.items()
-    },
+        },
+    ),
 )
 
 

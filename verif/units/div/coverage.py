@@ -9,6 +9,7 @@ from models.fixed import Raw
 from verif.env.coverage.points import Coverage, Holds, Samples
 from verif.env.coverage.rounding import remainders
 from verif.env.coverage.sieve import Sieve
+from verif.env.coverage.signs import by_sign
 from verif.env.unit import Parameters
 from verif.units.div.unit import UNIT
 from verif.units.product_coverage import factors
@@ -41,17 +42,16 @@ def _largest(p: Parameters) -> int:
 LIMITS = SIEVE.point(
     "limits",
     "the quotient's magnitude at its limit, which is in range where it is negative",
-    {
-        f"{name}_{side}": _quotient(sign, matches)
-        for side, sign in (("positive", 1), ("negative", -1))
-        for name, matches in {
+    by_sign(
+        _quotient,
+        {
             "next_to_last": lambda p, quotient, _rest: quotient == _largest(p) - 2,
             "last": lambda p, quotient, _rest: quotient == _largest(p) - 1,
             "just_at_limit": lambda p, quotient, _rest: quotient == _largest(p),
             "beyond": lambda p, quotient, _rest: quotient > _largest(p),
             "far_beyond": lambda p, quotient, _rest: quotient >= 8 * _largest(p),
-        }.items()
-    },
+        },
+    ),
 )
 
 
@@ -71,15 +71,14 @@ BY_ZERO = SIEVE.point(
 TRUNCATION = SIEVE.point(
     "truncation",
     "quotients of which a rest is cut off: toward zero, not down",
-    {
-        f"{name}_{side}": _quotient(sign, matches)
-        for side, sign in (("positive", 1), ("negative", -1))
-        for name, matches in {
+    by_sign(
+        _quotient,
+        {
             "to_zero": lambda _p, quotient, rest: (quotient == 0) & (rest > 0),
             "to_one_step": lambda _p, quotient, rest: (quotient == 1) & (rest > 0),
             "nothing": lambda _p, quotient, rest: (quotient > 1) & (rest == 0),
-        }.items()
-    },
+        },
+    ),
 )
 
 

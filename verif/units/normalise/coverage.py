@@ -10,6 +10,7 @@ from verif.env.coverage.classes import all_lanes, any_lane
 from verif.env.coverage.points import Coverage, Holds, Samples
 from verif.env.coverage.rounding import remainders
 from verif.env.coverage.sieve import Sieve
+from verif.env.coverage.signs import by_sign
 from verif.env.unit import Parameters
 from verif.units.norm.coverage import square, vector_points
 from verif.units.normalise.unit import UNIT
@@ -38,17 +39,16 @@ def _component(sign: int, matches: Callable[[Raw, int], NDArray[np.bool_]]) -> H
 UNIT_COMPONENT = SIEVE.point(
     "unit",
     "sizes of the result's components",
-    {
-        f"{name}_{side}": _component(sign, matches)
-        for side, sign in (("positive", 1), ("negative", -1))
-        for name, matches in {
+    by_sign(
+        _component,
+        {
             "truncated_to_zero": lambda size, _one: size == 0,
             "one_step": lambda size, _one: size == 1,
             "half": lambda size, one: size == one // 2,
             "step_below_one": lambda size, one: size == one - 1,
             "one": lambda size, one: size == one,
-        }.items()
-    },
+        },
+    ),
 )
 
 

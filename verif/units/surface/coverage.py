@@ -12,6 +12,7 @@ from verif.env.coverage.classes import all_lanes, any_lane
 from verif.env.coverage.directions import octants
 from verif.env.coverage.points import Coverage, Holds, Samples
 from verif.env.coverage.sieve import Sieve
+from verif.env.coverage.signs import by_sign
 from verif.env.unit import Parameters
 from verif.units.surface.unit import UNIT, inv_radius, inverse
 
@@ -67,15 +68,14 @@ def _residue(sign: int, matches: Callable[[Raw, int], NDArray[np.bool_]]) -> Hol
 ALONG = SIEVE.point(
     "along",
     "what is floored of the way along the ray",
-    {
-        f"{name}_{side}": _residue(sign, matches)
-        for side, sign in (("positive", 1), ("negative", -1))
-        for name, matches in {
+    by_sign(
+        _residue,
+        {
             "nothing": lambda rest, _most: rest == 0,
             "least": lambda rest, _most: rest == 1,
             "most": lambda rest, most: rest == most,
-        }.items()
-    },
+        },
+    ),
 )
 
 

@@ -10,6 +10,7 @@ from verif.env.coverage.classes import all_lanes, any_lane, operand
 from verif.env.coverage.directions import axes, octants
 from verif.env.coverage.points import Coverage, Holds, Samples
 from verif.env.coverage.sieve import Sieve
+from verif.env.coverage.signs import by_sign
 from verif.env.unit import Parameters
 from verif.units.unit_vector.unit import FMTS, UNIT
 
@@ -80,16 +81,15 @@ def _component(sign: int, matches: Callable[[Raw], NDArray[np.bool_]]) -> Holds:
 COMPONENTS = SIEVE.point(
     "unit",
     "sizes of the result's components",
-    {
-        f"{name}_{side}": _component(sign, matches)
-        for side, sign in (("positive", 1), ("negative", -1))
-        for name, matches in {
+    by_sign(
+        _component,
+        {
             "vanishes": lambda size: size == 0,
             "one_step": lambda size: size == 1,
             "step_below_one": lambda size: size == ONE - 1,
             "one": lambda size: size == ONE,
-        }.items()
-    },
+        },
+    ),
 )
 
 LENGTHS = SIEVE.point(
