@@ -11,7 +11,7 @@ from verif.coverage.subjects import Scenarios, of_signals
 from verif.env import axi
 from verif.env.context import Context
 from verif.env.draws import examples
-from verif.units.axil_registers.bench import PAUSES, Read, RegistersBench, Wait, Write, actions, play
+from verif.units.axil_registers.driver import PAUSES, Read, RegistersBench, Wait, Write, actions, play
 
 _FEW = 4
 
