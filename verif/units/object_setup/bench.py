@@ -5,9 +5,7 @@ latency.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from fractions import Fraction
-from math import floor
+from dataclasses import replace
 from typing import Any
 
 import cocotb
@@ -16,149 +14,27 @@ from hypothesis import strategies as st
 from numpy.random import Generator
 
 from models.core.setup import object_setup, triangle_setup
-from models.core.unit_vector import unit_vector
 from models.fixed import BOOK, COLOUR, RADIUS, Raw
-from models.formats import Knobs, formats
-from models.latency import LATENCY
-from models.limits import RECORD_SLOTS, SPHERE_SLOTS
 from models.scene.strategies import materials, spheres, triangles, vectors
 from models.scene.types import BLACK, Material, Sphere, Triangle, Vec3
 from verif.env import context, resets
 from verif.env.block import Block, holds, same
 from verif.env.fields import Field, split
 from verif.env.resets import Reference
-
-_FORMATS = formats(Knobs())
-_SLOT_W = _FORMATS.coord.width
-_COUNT_W = 8
-_SHAPE_W = 3 * _FORMATS.unit.width
-_SLOTS = {"sphere": SPHERE_SLOTS, "triangle": RECORD_SLOTS}
-_ROW = ("table_index", "table_geometry", "table_surface", "table_material", "degenerate")
-
-Row = Mapping[str, int]
-"""An object's number and its three rows by port, as unsigned numbers."""
-
-
-@dataclass(frozen=True)
-class Frame:
-    """What is set up, and the clocks that the normaliser takes meanwhile."""
-
-    ambient: Vec3
-    spheres: tuple[Sphere, ...]
-    triangles: tuple[Triangle, ...]
-    normaliser: int
-
-    @property
-    def clocks(self) -> int:
-        """The time from start to done that the header promises."""
-        counts = {"SPHERES": len(self.spheres), "TRIANGLES": len(self.triangles)}
-        return LATENCY["object_setup"]({**counts, "NORMALISER": self.normaliser})
-
-    def records(self) -> dict[str, list[int]]:
-        """The records by port, as the loader gathers them."""
-        return {
-            "sphere": [_packed([0, *_material(s.material), *s.center, s.radius]) for s in self.spheres],
-            "triangle": [_packed([1, *_material(t.material), *_flat(t.vertices)]) for t in self.triangles],
-        }
-
-
-def _flat(vectors: Sequence[Vec3]) -> list[int]:
-    return [component for vector in vectors for component in vector]
-
-
-def _material(material: Material) -> list[int]:
-    colours = (material.ambient, material.diffuse, material.specular, material.reflection)
-    return [*_flat((*colours, material.transparency)), material.index]
-
-
-def _packed(values: Sequence[int], width: int = _SLOT_W) -> int:
-    """Numbers side by side, the first one in the most significant bits."""
-    word = 0
-    for value in values:
-        word = word << width | value & ((1 << width) - 1)
-    return word
-
-
-def cross(triangle: Triangle) -> Vec3:
-    """The exact product (p1 - p0) x (p2 - p0), raw."""
-    p0, p1, p2 = triangle.vertices
-    a, b = ([to - of for to, of in zip(p, p0, strict=True)] for p in (p1, p2))
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
-
-
-def _direction(vector: Vec3, bits: int) -> list[int]:
-    """What the normaliser makes of a vector."""
-    column = np.array(vector, dtype=np.int64).reshape(3, 1)
-    return [int(lane) for lane in unit_vector(column, bits, _FORMATS).unit[:, 0]]
-
-
-def _ambient(light: Vec3, coefficient: Vec3) -> list[int]:
-    unit = Fraction(_FORMATS.shade.one, _FORMATS.coeff.one**2)
-    return [min(floor(a * b * unit), _FORMATS.shade.max) for a, b in zip(light, coefficient, strict=True)]
-
-
-def _concatenated(*parts: tuple[int, int]) -> int:
-    """Pairs of value and width, the first one in the most significant bits."""
-    word = 0
-    for value, width in parts:
-        assert 0 <= value < 1 << width, f"{value} in {width} bits"
-        word = word << width | value
-    return word
-
-
-def _material_row(light: Vec3, material: Material) -> int:
-    colours = (material.diffuse, material.specular, material.reflection, material.transparency)
-    ambient = _packed(_ambient(light, material.ambient), _FORMATS.shade.width)
-    return _concatenated((ambient, 3 * _FORMATS.shade.width), (_packed(_flat(colours)), 12 * _SLOT_W))
-
-
-def _rows(
-    material: Material, shape: tuple[int, int], places: Sequence[Vec3], dead: bool, light: Vec3
-) -> dict[str, int]:
-    """Rows of an object; ``shape``: what tests and what shading need. A sphere has one place, its center."""
-    triangle = int(len(places) > 1)
-    tested, shaded = shape
-    vertices = _flat(places) + [0] * (9 - 3 * len(places))
-    center = [0, 0, 0] if triangle else places[0]
-    glass = int(any(material.transparency))
-    transparency = (_packed(material.transparency), 3 * _SLOT_W)
-    return {
-        "table_geometry": _concatenated(
-            (triangle, 1),
-            (int(dead), 1),
-            (glass, 1),
-            (tested, _SHAPE_W),
-            (_packed(vertices), 9 * _SLOT_W),
-            transparency,
-        ),
-        "table_surface": _concatenated(
-            (triangle, 1), (material.index, 4), (shaded, _SHAPE_W), (_packed(center), 3 * _SLOT_W)
-        ),
-        "table_material": _material_row(light, material),
-        "degenerate": int(dead),
-    }
-
-
-def _sphere_rows(sphere: Sphere, light: Vec3) -> dict[str, int]:
-    """Radius squared, 1 / radius and ambient term straight from their definitions."""
-    size = Fraction(sphere.radius, _FORMATS.radius.one)
-    square = size * size * _FORMATS.radius_sq.one
-    assert square.denominator == 1, "radius squared is not exact in its format"
-    shape = (int(square), floor(_FORMATS.inv_radius.one / size))
-    return _rows(sphere.material, shape, (sphere.center,), dead=False, light=light)
-
-
-def _triangle_rows(triangle: Triangle, light: Vec3, bits: int) -> dict[str, int]:
-    exact = cross(triangle)
-    normal = _packed(_direction(exact, bits), _FORMATS.unit.width)
-    return _rows(triangle.material, (normal, normal), triangle.vertices, not any(exact), light)
-
-
-def expected(frame: Frame, bits: int) -> list[Row]:
-    """Every row of a frame, in order, from the definitions."""
-    rows = [_sphere_rows(sphere, frame.ambient) for sphere in frame.spheres]
-    rows += [_triangle_rows(triangle, frame.ambient, bits) for triangle in frame.triangles]
-    return [{"table_index": number, **row} for number, row in enumerate(rows)]
+from verif.units.object_setup.rows import (
+    COUNT_W,
+    FORMATS,
+    ROW,
+    SHAPE_W,
+    SLOT_W,
+    SLOTS,
+    Frame,
+    Row,
+    cross,
+    direction,
+    expected,
+    packed,
+)
 
 
 class Normaliser:
@@ -189,7 +65,7 @@ class Normaliser:
         if self._left:
             return None
         self._left = None
-        return _packed(_direction(self.asked[-1], self._port.width), _FORMATS.unit.width)
+        return packed(direction(self.asked[-1], self._port.width), FORMATS.unit.width)
 
 
 class ObjectSetupBench(Block):
@@ -226,21 +102,21 @@ class ObjectSetupBench(Block):
     def _scramble(self) -> None:
         """What holds still during a set-up may be anything outside of it."""
         self.set(
-            spheres=self._junk(_COUNT_W),
-            triangles=self._junk(_COUNT_W),
-            ambient_light=self._junk(3 * _SLOT_W),
-            **{port: self._junk(slots * _SLOT_W) for port, slots in _SLOTS.items()},
+            spheres=self._junk(COUNT_W),
+            triangles=self._junk(COUNT_W),
+            ambient_light=self._junk(3 * SLOT_W),
+            **{port: self._junk(slots * SLOT_W) for port, slots in SLOTS.items()},
         )
 
     async def step(self) -> bool:
         """One clock of everything; whether the set-up is done in it."""
         answer = self._normaliser.answer()
-        self.set(unit_valid=int(answer is not None), unit=self._junk(_SHAPE_W) if answer is None else answer)
+        self.set(unit_valid=int(answer is not None), unit=self._junk(SHAPE_W) if answer is None else answer)
         await self.clock()
         if self.read("vector_valid"):
             self._normaliser.ask(self.read("vector"))
         if self.read("table_valid"):
-            self.rows.append({name: self.read(name) for name in _ROW})
+            self.rows.append({name: self.read(name) for name in ROW})
         else:
             same("degenerate without a row", 0, self.read("degenerate"))
         if self._running:
@@ -249,9 +125,9 @@ class ObjectSetupBench(Block):
 
     def _memory(self) -> None:
         """The records, in the next clock, of the indices of this one."""
-        for port, slots in _SLOTS.items():
+        for port, slots in SLOTS.items():
             index, records = self.read(f"{port}_index"), self._records[port]
-            self.set(**{port: records[index] if index < len(records) else self._junk(slots * _SLOT_W)})
+            self.set(**{port: records[index] if index < len(records) else self._junk(slots * SLOT_W)})
 
     async def start(self, frame: Frame) -> None:
         """One clock of start with this frame."""
@@ -261,7 +137,7 @@ class ObjectSetupBench(Block):
         self.set(
             spheres=len(frame.spheres),
             triangles=len(frame.triangles),
-            ambient_light=_packed(frame.ambient),
+            ambient_light=packed(frame.ambient),
             start=1,
         )
         same("done in the clock of start", False, await self.step())
@@ -364,7 +240,7 @@ async def rows_of_every_frame_are_exact_and_on_time(dut: Any) -> None:
 async def constants_of_every_radius_are_exact_and_floored(dut: Any) -> None:
     """All 31 radii, as many at a time as the index holds."""
     bench = await ObjectSetupBench.create(dut)
-    one = _FORMATS.coeff.one
+    one = FORMATS.coeff.one
     material = Material((one, one + 1, COLOUR.max), BLACK, BLACK)
     radii = range(1, RADIUS.max + 1)
     for first in range(0, len(radii), bench.most[0]):
@@ -398,18 +274,18 @@ async def rows_are_those_of_the_model(dut: Any) -> None:
         light = _column(frame.ambient)
         for sphere, row in zip(frame.spheres, bench.rows, strict=False):
             radius = np.array([sphere.radius], dtype=np.int64)
-            found = object_setup(radius, light, _column(sphere.material.ambient), _FORMATS)
+            found = object_setup(radius, light, _column(sphere.material.ambient), FORMATS)
             same("radius squared", int(found.radius_sq[0]), _part(row["table_geometry"], 12))
             same("1 / radius", int(found.inv_radius[0]), _part(row["table_surface"], 3))
-            same("ambient term", _lanes(found.ambient, _FORMATS.shade.width), _ambient_of(row))
+            same("ambient term", _lanes(found.ambient, FORMATS.shade.width), _ambient_of(row))
         for triangle, row in zip(frame.triangles, bench.rows[len(frame.spheres) :], strict=True):
             p0, p1, p2 = (_column(place) for place in triangle.vertices)
-            made = triangle_setup((p0, p1, p2), light, _column(triangle.material.ambient), _FORMATS)
-            normal = _lanes(made.normal, _FORMATS.unit.width)
+            made = triangle_setup((p0, p1, p2), light, _column(triangle.material.ambient), FORMATS)
+            normal = _lanes(made.normal, FORMATS.unit.width)
             same("normal that tests use", normal, _part(row["table_geometry"], 12))
             same("normal that shading uses", normal, _part(row["table_surface"], 3))
             same("degenerate", int(made.degenerate[0]), row["degenerate"])
-            same("ambient term", _lanes(made.ambient, _FORMATS.shade.width), _ambient_of(row))
+            same("ambient term", _lanes(made.ambient, FORMATS.shade.width), _ambient_of(row))
 
     await holds(context.read(), example, _frames(bench.most), cost=2)
 
@@ -419,23 +295,23 @@ def _column(vector: Vec3) -> Raw:
 
 
 def _lanes(column: Raw, width: int) -> int:
-    return _packed([int(lane) for lane in column[:, 0]], width)
+    return packed([int(lane) for lane in column[:, 0]], width)
 
 
 def _part(row: int, slots: int) -> int:
     """The shape above so many slots."""
-    return row >> slots * _SLOT_W & ((1 << _SHAPE_W) - 1)
+    return row >> slots * SLOT_W & ((1 << SHAPE_W) - 1)
 
 
 def _ambient_of(row: Row) -> int:
-    return row["table_material"] >> 12 * _SLOT_W
+    return row["table_material"] >> 12 * SLOT_W
 
 
 @cocotb.test()
 async def frames_of_as_many_objects_as_the_indices_hold(dut: Any) -> None:
     """Every sphere and triangle another one, on counters that are full."""
     bench = await ObjectSetupBench.create(dut)
-    full = [min(most, (1 << _COUNT_W) - 1) for most in bench.most]
+    full = [min(most, (1 << COUNT_W) - 1) for most in bench.most]
     colour = [Material((number, 1, 2), BLACK, BLACK, index=number % 16) for number in range(max(full))]
     held = tuple(Sphere(colour[k], (k, -k, 0), 1 + k % RADIUS.max) for k in range(full[0]))
     flat = tuple(Triangle(colour[k], ((0, 0, 0), (k, 1, 0), (0, k, 2))) for k in range(full[1]))

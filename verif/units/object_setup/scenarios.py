@@ -13,7 +13,8 @@ from verif.env import resets
 from verif.env.context import Context
 from verif.env.coverage.flow import LONG
 from verif.env.resets import Reference
-from verif.units.object_setup.bench import Frame, ObjectSetupBench
+from verif.units.object_setup.bench import ObjectSetupBench
+from verif.units.object_setup.rows import Frame
 
 _ONE: Vec3 = (COLOUR.one,) * 3
 _MOST: Vec3 = (COLOUR.max,) * 3
