@@ -116,7 +116,8 @@ class Build:
 
 
 @contextmanager
-def _locked(path: Path) -> Iterator[None]:
+def locked(path: Path) -> Iterator[None]:
+    """Whoever else wants this file meanwhile waits, in any process."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
@@ -167,7 +168,7 @@ def ensure(build: Build) -> Path:
     Raises BuildError where the compiler refuses it, with the end of its log.
     """
     directory, done = build.directory, build.directory / _DONE
-    with _locked(directory.with_suffix(".lock")):
+    with locked(directory.with_suffix(".lock")):
         if not done.exists():
             shutil.rmtree(directory, ignore_errors=True)
             directory.mkdir(parents=True)

@@ -14,12 +14,12 @@ from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor, as_completed
 
 from verif.env import units
-from verif.env.build import BuildError
+from verif.env.build import BuildError, locked
 from verif.mutation import record
 from verif.mutation.explained import ExplanationError, Explanations
 from verif.mutation.judge import JudgeError
 from verif.mutation.netlist import NetlistError
-from verif.mutation.qualify import Plan, known, qualify, skipped
+from verif.mutation.qualify import Plan, Progress, known, qualify, skipped
 from verif.mutation.record import SCORE, UNDECIDED, Judged, Result, Verdict
 
 CORE_CONTROL = (
@@ -66,14 +66,18 @@ def _alone(plan: Plan) -> Result:
     def progress(what: str, done: int, number: int) -> None:
         _show(f"{plan.unit}: {what} {done} of {number}")
 
-    result = qualify(plan, progress)
-    record.write(result)
-    return result
+    return _qualified(plan, progress)
 
 
 def _quietly(plan: Plan) -> Result:
-    result = qualify(plan)
-    record.write(result)
+    return _qualified(plan)
+
+
+def _qualified(plan: Plan, progress: Progress = lambda *_: None) -> Result:
+    """The result, kept. A unit is judged by one process at a time: its netlist and runs have one folder each."""
+    with locked(record.FOLDER / f"{plan.unit}.lock"):
+        result = known(plan) or qualify(plan, progress)
+        record.write(result)
     return result
 
 
