@@ -74,7 +74,7 @@ def _quietly(plan: Plan) -> Result:
 
 
 def _qualified(plan: Plan, progress: Progress = lambda *_: None) -> Result:
-    """The result, kept. A unit is judged by one process at a time: its netlist and runs have one folder each."""
+    """The result, kept. One process at a time judges a unit: its netlist and its runs have one folder."""
     with locked(record.FOLDER / f"{plan.unit}.lock"):
         result = known(plan) or qualify(plan, progress)
         record.write(result)
