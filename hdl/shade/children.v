@@ -108,7 +108,8 @@ module children #(
     wire [STEP_W-1:0] share_what;
     wire [GEOMETRY_W-1:0] share_geometry;
     wire [3*SHADE_W-1:0] share_weight;
-    wire [LIGHT_W-1:0] share_step = share_what[OBJECT_W+1+LIGHT_W+:LIGHT_W];
+    // Step 0 reflects, step 1 transmits, and later ones send nothing: one bit tells.
+    wire share_transmits = share_what[OBJECT_W+1+LIGHT_W];
 
     valid_pipe #(
         .TAG_W  (STEP_W + GEOMETRY_W + 3*SHADE_W),
@@ -150,8 +151,7 @@ module children #(
         .in_valid (share_valid),
         .in_tag   ({share_what, share_geometry}),
         .a        (share_weight),
-        .b        (share_step == REFLECTED ? shares_reg[3*COEFF_W+:3*COEFF_W]
-                                           : shares_reg[0+:3*COEFF_W]),
+        .b        (share_transmits ? shares_reg[0+:3*COEFF_W] : shares_reg[3*COEFF_W+:3*COEFF_W]),
         .out_valid(weight_valid),
         .out_tag  ({weight_what, weight_point, weight_direction, weight_normal, weight_mirrored,
                     weight_cosine, weight_index, weight_leaving}),

@@ -35,14 +35,21 @@ module light_vector #(
     localparam UNIT_W = `RT_UNIT_W;
     localparam FRAC = `RT_POINT_FRAC;
     localparam SHIFT_W = $clog2(REACH_W);
-    // The norm's top bit weighs 2; the vector's top bit before the shift 2**(RT_REACH_INT - 1).
     localparam NORM_W = UNIT_W + 1;
     localparam GROW = `RT_REACH_INT - 2 + FRAC - `RT_UNIT_FRAC;
-    localparam LENGTH_W = NORM_W + GROW;
+    // A shifted vector is shorter than 2, so that its norm leaves the top bit 0, which weighs 2; the
+    // vector's top bit before the shift weighs 2**(RT_REACH_INT - 1).
+    localparam LENGTH_W = UNIT_W + GROW;
+    localparam [POINT_W-1:0] FAR = `RT_INFINITY;
+    localparam FAR_W = $clog2(`RT_INFINITY);
 
     generate
         if (GROW < 0) begin : g_bad_knobs
             light_vector_needs_an_RT_POINT_KNOB_nearer_to_RT_UNIT_KNOB error ();
+        end
+        // Then no number of UNIT_W bits lies between RT_INFINITY and the power of two above it.
+        if (FAR_W > UNIT_W && FAR + (1 << (FAR_W - UNIT_W)) < 1 << FAR_W) begin : g_bad_infinity
+            light_vector_needs_an_RT_INFINITY_next_to_a_power_of_two error ();
         end
     endgenerate
 
@@ -105,17 +112,17 @@ module light_vector #(
         .degenerate(unit_degenerate)
     );
 
-    localparam [LENGTH_W-1:0] FAR = `RT_INFINITY;
-    wire [LENGTH_W-1:0] length = {norm, {GROW{1'b0}}} >> shift;
-    wire [LENGTH_W-1:0] nearer = length > FAR ? FAR : length;
-    wire unused_nearer = &{1'b0, nearer[LENGTH_W-1:POINT_W]};
+    wire unused_norm = norm[NORM_W-1];
+    wire [LENGTH_W-1:0] length = {norm[UNIT_W-1:0], {GROW{1'b0}}} >> shift;
+    wire far = length[LENGTH_W-1:FAR_W] != {LENGTH_W - FAR_W{1'b0}};
+    wire [POINT_W-1:0] nearer = far ? FAR : {{POINT_W - FAR_W{1'b0}}, length[FAR_W-1:0]};
     reg [3*UNIT_W-1:0] direction_reg;
     reg [POINT_W-1:0] limit_reg;
     reg degenerate_reg;
 
     always @(posedge clk) begin
         direction_reg  <= unit;
-        limit_reg      <= nearer[POINT_W-1:0];
+        limit_reg      <= nearer;
         degenerate_reg <= unit_degenerate;
     end
 

@@ -88,7 +88,8 @@ module ray_store #(
     wire [TOP+1:1] may;
     wire [TOP+1:1] deeper;
     wire [TOP:1] goes;
-    // By depth: places enough for the children of a ray; something is stored.
+    // By depth: places enough for the children of a ray; something is stored. Below max_depth
+    // nothing is ever reserved, so that the deepest rays find enough there without being asked.
     wire [TOP:2] enough;
     wire [TOP:2] holds;
     // Pointers of the depths up to this one that are concerned, others are zero.
@@ -96,15 +97,13 @@ module ray_store #(
     wire [TOP*PTR_W-1:0] tails;
     wire [TOP*DEPTH_W-1:0] depths;
 
-    wire leaf = max_depth == {{DEPTH_W - 1{1'b0}}, 1'b1};
-
     assign may[TOP+1]    = 1'b0;
     assign deeper[TOP+1] = 1'b0;
-    assign may[1]        = primary_valid && (leaf || enough[2]);
+    assign may[1]        = primary_valid && enough[2];
     assign deeper[1]     = deeper[2] || may[2];
     assign goes[1]       = may[1] && !deeper[1] && output_room;
 
-    assign primary_ready = (leaf || enough[2]) && !deeper[1] && output_room;
+    assign primary_ready = enough[2] && !deeper[1] && output_room;
 
     assign heads[PTR_W-1:0]    = {PTR_W{1'b0}};
     assign tails[PTR_W-1:0]    = {PTR_W{1'b0}};
@@ -131,7 +130,7 @@ module ray_store #(
             if (k == TOP) begin : g_top
                 assign may[k] = holds[k];
             end else begin : g_below
-                assign may[k] = holds[k] && (max_depth == DEPTH || enough[k+1]);
+                assign may[k] = holds[k] && enough[k+1];
             end
             assign deeper[k] = deeper[k+1] || may[k+1];
             assign goes[k]   = may[k] && !deeper[k] && output_room;

@@ -30,7 +30,7 @@ UNIT = Unit(
         Break(_FILE, "turned_step == TRANSMITTED && turned_branching;", "turned_step == TRANSMITTED;"),
         # Where they go, and of what weight.
         Break(_FILE, "transmitted_step ? transmitted : turned_mirrored;", "turned_mirrored;"),
-        Break(_FILE, "share_step == REFLECTED ? shares_reg", "share_step == TRANSMITTED ? shares_reg"),
+        Break(_FILE, "share_transmits ? shares_reg", "!share_transmits ? shares_reg"),
         Break(_FILE, "shares_reg <= shares[in_own[OBJECT_W-1:0]];", "shares_reg <= shares[table_index];"),
         # Places that stay empty, and work.
         Break(_FILE, "{1'b0, transmits && !turned_branching}", "{1'b0, transmits}"),

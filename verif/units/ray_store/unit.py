@@ -15,15 +15,10 @@ UNIT = Unit(
     },
     breaks=(
         # The test of room: none for stored rays, one place too few, none for primary rays.
-        Break(_FILE, "holds[k] && (max_depth == DEPTH || enough[k+1]);", "holds[k];", "small"),
+        Break(_FILE, "holds[k] && enough[k+1];", "holds[k];", "small"),
         Break(_FILE, "free_reg >= {{FREE_W - 2{1'b0}}, branches};", "free_reg != {FREE_W{1'b0}};", "small"),
-        Break(
-            _FILE,
-            "(max_depth == DEPTH || enough[k+1]);",
-            "((max_depth ^ 1) == DEPTH || enough[k+1]);",
-            "small",
-        ),
-        Break(_FILE, "assign primary_ready = (leaf || enough[2]) &&", "assign primary_ready =", "small"),
+        Break(_FILE, "holds[k] && enough[k+1];", "holds[k] && enough[k];", "small"),
+        Break(_FILE, "assign primary_ready = enough[2] &&", "assign primary_ready =", "small"),
         # Places: not given back by a settle, not by a ray that goes, reserved by the deepest rays too.
         Break(_FILE, "settles ? settle_count : 2'd0", "settles ? 2'd1 : 2'd0", "small"),
         Break(
