@@ -15,6 +15,7 @@ from pathlib import Path
 
 from verif.env import sources, units
 from verif.env.build import Build
+from verif.env.inside import flat
 from verif.env.simulators import Simulator
 from verif.env.unit import Unit
 from verif.mutation import aig
@@ -37,6 +38,9 @@ _LISTS = ("list.txt", "more.txt")
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _PORT = re.compile(r"^  (?:input|output) (?:\[[^]]*\] )?(\S+);", re.MULTILINE)
 _NET = re.compile(r"^  (?:wire|reg) (?:signed )?(?:\[[^]]*\] )?([A-Za-z]\w*)(?: \[[^]]*\])?;", re.MULTILINE)
+_BELOW = re.compile(r"^  (?:wire|reg) .*?\\(\S+\.([A-Za-z]\w*)) ", re.MULTILINE)
+_UNNAMED = re.compile(r"\bgenblk\d+\.")
+"""Scopes that yosys makes up where the design names none."""
 
 
 class NetlistError(RuntimeError):
@@ -113,11 +117,22 @@ def make(unit: Unit, parameter_set: str, wanted: int, seed: int) -> Netlist:
             ]
         ),
     )
+    below = _plainly_named(folder, named)
     text = (folder / "netlist.v").read_text()
-    visible = (*_PORT.findall(text), *sorted(named.intersection(_NET.findall(text))))
+    visible = (*_PORT.findall(text), *sorted((named | below).intersection(_NET.findall(text))))
     texts: dict[Path, list[str]] = {}
     mutants = tuple(_mutant(line, number, texts) for number, line in enumerate(lines, 1))
     return Netlist(build.top, tuple(dict.fromkeys(visible)), mutants, folder)
+
+
+def _plainly_named(folder: Path, named: set[str]) -> set[str]:
+    """Gives the registers below the top which the bench may use the names by which it finds them there."""
+    text = (folder / "netlist.v").read_text()
+    found = {path: flat(_UNNAMED.sub("", path)) for path, word in _BELOW.findall(text) if word in named}
+    for path, name in found.items():
+        text = text.replace(f"\\{path} ", f"{name} ")
+    (folder / "netlist.v").write_text(text)
+    return set(found.values())
 
 
 def design(mutated: Netlist) -> Design:

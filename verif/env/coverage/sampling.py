@@ -15,6 +15,7 @@ from verif.env.clocking import PERIOD_NS
 from verif.env.context import Context
 from verif.env.coverage.collector import Collector
 from verif.env.coverage.points import Coverage
+from verif.env.inside import inside
 
 _UNKNOWN = -1
 _LONG_BITS = 32
@@ -53,7 +54,7 @@ class Signals:
     _ENOUGH = 1024
 
     def __init__(self, dut: Any, run: Context, coverage: Coverage) -> None:
-        self._reads = [_reader(_find(dut, name)) for name in coverage.signals]
+        self._reads = [_reader(inside(dut, name)) for name in coverage.signals]
         self._names = coverage.signals
         self._rows: list[list[int]] = []
         self._of_chance = "rst" in coverage.signals
@@ -76,20 +77,6 @@ class Signals:
             table = np.array(self._rows, dtype=np.int64).T
             self._rows = []
             self.collector.add(dict(zip(self._names, table, strict=True)), clock_number())
-
-
-def _find(dut: Any, name: str) -> Any:
-    """A signal by its path; `scope[3]` is one of a generated array. None where it has no such scope."""
-    handle = dut
-    for part in name.split("."):
-        scope, _, index = part.partition("[")
-        handle = getattr(handle, scope)
-        if index:
-            try:
-                handle = handle[int(index.removesuffix("]"))]
-            except IndexError:
-                return None
-    return handle
 
 
 def _reader(handle: Any) -> Callable[[], int]:

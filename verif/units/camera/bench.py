@@ -20,6 +20,7 @@ from models.scene.types import Camera, Vec3
 from verif.env import context, resets
 from verif.env.block import Block, holds, same
 from verif.env.fields import Field
+from verif.env.inside import inside
 from verif.env.operands import from_rows
 from verif.env.resets import Reference
 
@@ -296,4 +297,4 @@ async def reset_in_each_clock_of_each_state_leaves_nothing_behind(dut: Any) -> N
         await bench.run(after, size)
 
     run = Reference(start, bench.clock, CLOCKS + 1, behind)
-    await resets.at_every_clock(bench.log, run, dut.u_camera.state_reg, "scene/camera.v")
+    await resets.at_every_clock(bench.log, run, inside(dut, "u_camera.state_reg"), "scene/camera.v")
