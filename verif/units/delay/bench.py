@@ -10,10 +10,13 @@ from hypothesis import strategies as st
 from verif.env import context, properties
 from verif.env.clocking import Clocking
 from verif.env.coverage.sampling import Signals
+from verif.env.inside import inside
 from verif.env.pipelined import Mismatch
 from verif.units.delay.coverage import COVERAGE
 
 _RESET_CLOCKS = 2
+_SHALLOWEST_RING = 4
+"""Clocks from which on a line is a ring; below it is a chain of registers."""
 
 
 class DelayBench:
@@ -23,15 +26,29 @@ class DelayBench:
         self._clocking = Clocking(dut)
         self._in, self._out, self._rst = getattr(dut, "in"), dut.out, dut.rst
         self.most = (1 << run.parameters["WIDTH"]) - 1
-        self._width, self._depths = run.parameters["WIDTH"], run.parameters["DEPTHS"]
-        self._past: deque[int] = deque(maxlen=self._depths)
+        self._width, self.depths = run.parameters["WIDTH"], run.parameters["DEPTHS"]
+        self._past: deque[int] = deque(maxlen=self.depths)
+        self._pointers = [
+            inside(dut, f"g_depth[{depth}].u_delay.g_ring.pointer_reg")
+            for depth in range(_SHALLOWEST_RING, self.depths)
+        ]
         self.signals = Signals(dut, run, COVERAGE) if run.unit else None
 
-    async def reset(self) -> None:
+    @property
+    def pointer_width(self) -> int:
+        """Bits of the longest ring's pointer."""
+        return max((len(pointer) for pointer in self._pointers), default=0)
+
+    def power_up(self, start: int) -> None:
+        """Sets every ring's pointer, as far as it holds the number."""
+        for pointer in self._pointers:
+            pointer.value = start % (1 << len(pointer))
+
+    async def reset(self, clocks: int = _RESET_CLOCKS) -> None:
         """Resets the lines; what is in them counts no more."""
         self._in.value = 0
         self._rst.value = 1
-        for _ in range(_RESET_CLOCKS):
+        for _ in range(clocks):
             await self._edge()
         self._rst.value = 0
         await self._edge()
@@ -64,6 +81,19 @@ async def words_come_out_as_late_as_the_line_is_deep(dut: Any) -> None:
     words = run.generator(0).integers(0, bench.most, min(run.operands, 20_000), endpoint=True)
     for word in words:
         await bench.clock(int(word))
+
+
+@cocotb.test()
+async def a_reset_sets_the_ring_right_wherever_it_powers_up(dut: Any) -> None:
+    """Each pointer of each ring, those behind its last word too; a reset of one clock, then as many words as
+    the longest line holds."""
+    run = context.read()
+    bench = DelayBench(dut, run)
+    for start in range(1 << bench.pointer_width):
+        bench.power_up(start)
+        await bench.reset(clocks=1)
+        for word in run.generator(start).integers(0, bench.most, 2 * bench.depths, endpoint=True):
+            await bench.clock(int(word))
 
 
 @cocotb.test()

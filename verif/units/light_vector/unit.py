@@ -54,7 +54,7 @@ UNIT = PipelinedUnit(
     directed=_directed,
     breaks=(
         Break("shade/light_vector.v", "far ? FAR : {", "1'b0 ? FAR : {"),
-        Break("shade/light_vector.v", "{norm, {GROW{1'b0}}} >> shift", "{norm, {GROW{1'b0}}} >> (shift - 1)"),
+        Break("shade/light_vector.v", "{GROW{1'b0}}} >> shift", "{GROW{1'b0}}} >> (shift - 1)"),
         Break("shade/light_vector.v", "degenerate_reg <= unit_degenerate", "degenerate_reg <= 1'b0"),
     ),
 )

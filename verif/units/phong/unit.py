@@ -47,10 +47,11 @@ def _coefficients(generator: Generator, size: int, fmts: Formats) -> Raw:
 
 
 def _directed(p: Parameters, generator: Generator, size: int) -> Operands:
-    """Unit vectors with cosines of all sizes, mostly lit; a few dark."""
+    """Unit vectors with cosines of all sizes, mostly lit; a few dark. Along an axis some are a single bit."""
     fmts = selected(p)
     normal = vectors.directions(generator, size)
-    cosine = vectors.cosines(generator, size)
+    bits = 2.0 ** -generator.integers(0, fmts.cosine.frac_bits, size, endpoint=True)
+    cosine = vectors.pick(generator, vectors.cosines(generator, size), vectors.cosines(generator, size), bits)
     turned = np.where(generator.random(size) < 0.8, np.abs(cosine), cosine)
     direction = vectors.at_cosine(generator, normal, turned)
     highlight = 1.0 - 2.0 ** -generator.uniform(0.0, 12.0, size)

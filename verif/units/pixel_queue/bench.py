@@ -191,10 +191,22 @@ async def reset_in_the_middle_of_a_picture_empties_the_queue(dut: Any) -> None:
         await bench.restart()
         for _ in range(3):
             await bench.step(after, False, None)
+            same("slot on offer after reset", (1, 0), (bench.read("slot_valid"), bench.read("slot")))
         same("pixels after reset", 0, bench.scoreboard.compared + len(bench.scoreboard.complaints))
         await bench.picture(after)
 
     await holds(run, example, _pictures(), st.integers(0, 60), _pictures())
+
+
+@cocotb.test()
+async def pixels_come_back_in_any_order_all_around_the_ring(dut: Any) -> None:
+    """All slots are in flight, and any of them may be the next: each is waited for, and used again."""
+    bench, run = await _bench(dut)
+    rounds = 4
+    returns = run.generator(1).integers(0, bench.slots, 997).tolist()
+    # All are handed out before the first comes back; from then on as many are as came.
+    waits = (bench.slots, *(0,) * rounds * bench.slots)
+    await bench.picture(Picture(bench.slots, rounds, (), returns, waits, ()))
 
 
 @cocotb.test()

@@ -1,5 +1,6 @@
 """Tests of the ray generator: every pixel once, in order, in the right direction, a slot for each."""
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -169,7 +170,9 @@ def _counts() -> st.SearchStrategy[int]:
 def _spans() -> st.SearchStrategy[Vec3]:
     sign = st.sampled_from([1, -1])
     lane = st.tuples(raws(_SPAN), sign).map(lambda drawn: drawn[0] * drawn[1])
-    return st.tuples(lane, lane, lane)
+    # Less than a step a pixel: the quotient is 0, of either sign.
+    short = st.integers(-_MOST_PIXELS, _MOST_PIXELS)
+    return st.tuples(lane | short, lane | short, lane | short)
 
 
 def pictures() -> st.SearchStrategy[Picture]:
@@ -231,13 +234,16 @@ async def the_widest_line_is_cast_at_one_ray_a_clock(dut: Any) -> None:
     run = context.read()
     bench = await RayBench.create(dut)
     one = _SPAN.max
-    for width, height in ((LARGEST, 1), (1, LARGEST)):
-        picture = Picture(width, height, (1, 2, 3), (one, -one, 12345), (-54321, one, -one))
+    steep = ((one, -one, 12345), (-54321, one, -one))
+    # Less than a step a pixel, of either sign.
+    flat = ((1, -1, 1 - LARGEST), (LARGEST - 1, -2, 1 - LARGEST))
+    for (width, height), (column, row) in itertools.product(((LARGEST, 1), (1, LARGEST)), (steep, flat)):
+        picture = Picture(width, height, (1, 2, 3), column, row)
         before = bench.now
         await bench.picture(picture, list(range(200)), [0])
         starts, behind = 1, 4
         same("clocks of the picture", starts + picture.pixels + behind, bench.now - before)
-    bench.log.info("%d operands asked for, %d rays checked", run.operands, 2 * LARGEST)
+    bench.log.info("%d operands asked for, %d rays checked", run.operands, 4 * LARGEST)
 
 
 @cocotb.test()

@@ -1,11 +1,14 @@
-"""The scene memory: one object of each kind, and the book's capacity."""
+"""The scene memory: one object of each kind, two, and the book's capacity."""
 
 from verif.env.unit import Break, Unit
 
 UNIT = Unit(
     name="scene_memory",
     parameters={"LIGHTS": 1, "SPHERES": 1, "TRIANGLES": 1},
-    sets={"book": {"LIGHTS": 3, "SPHERES": 3, "TRIANGLES": 15}},
+    sets={
+        "pairs": {"LIGHTS": 2, "SPHERES": 2, "TRIANGLES": 2},
+        "book": {"LIGHTS": 3, "SPHERES": 3, "TRIANGLES": 15},
+    },
     breaks=(
         Break(
             "scene/scene_memory.v", "cameras[!bank_reg] <= write_record", "cameras[bank_reg] <= write_record"
