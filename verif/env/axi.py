@@ -15,7 +15,14 @@ from itertools import cycle
 from typing import Any
 
 import numpy as np
-from cocotbext.axi import AxiLiteBus, AxiLiteMaster, AxiStreamBus, AxiStreamSink, AxiStreamSource
+from cocotbext.axi import (
+    AxiLiteBus,
+    AxiLiteMaster,
+    AxiProt,
+    AxiStreamBus,
+    AxiStreamSink,
+    AxiStreamSource,
+)
 from numpy.typing import NDArray
 
 from models.registers import REGISTERS, WORD_BYTES
@@ -29,7 +36,7 @@ CHANNELS = ("aw", "w", "b", "ar", "r")
 OKAY, SLVERR = 0, 2
 
 _WORD_W, _PIXEL_W, _CHANNEL_W = 32, 24, 8
-_ALL_BYTES = (1 << WORD_BYTES) - 1
+_PROTECTIONS = tuple(map(AxiProt, range(8)))
 
 
 def rolled(generator: np.random.Generator, share: float) -> Iterator[bool]:
@@ -77,9 +84,13 @@ class Answer:
 
 
 class RegisterPort:
-    """A master of the registers. What a reset drops is answered with None."""
+    """A master of the registers. What a reset drops is answered with None.
+
+    Each access has the next kind of protection (privileged, not secure, instruction): none may matter.
+    """
 
     def __init__(self, dut: Any, prefix: str = "s_axil") -> None:
+        self._protections = cycle(_PROTECTIONS)
         self._master = AxiLiteMaster(AxiLiteBus.from_prefix(dut, prefix), dut.clk, dut.rst)
         write, read = _quiet(self._master.write_if), _quiet(self._master.read_if)
         self._channels = {
@@ -98,18 +109,19 @@ class RegisterPort:
 
     async def read(self, address: int) -> Answer | None:
         """One word."""
-        answer = await self._master.read(address, WORD_BYTES - address % WORD_BYTES)
+        length, protection = WORD_BYTES - address % WORD_BYTES, next(self._protections)
+        answer = await self._master.read(address, length, protection)
         return None if answer is None else Answer(int(answer.resp), int.from_bytes(answer.data, "little"))
 
     async def write(self, address: int, data: bytes) -> Answer | None:
         """Bytes of one word, from an address that need not be that of a word."""
-        answer = await self._master.write(address, data)
+        answer = await self._master.write(address, data, next(self._protections))
         return None if answer is None else Answer(int(answer.resp))
 
     async def strobe(self, address: int, data: int, strobe: int) -> Answer:
         """One write with any strobe, past the master's way to choose one; nothing else may be under way."""
         aw, w, b = (self._channels[name] for name in ("aw", "w", "b"))
-        await aw.send(aw._transaction_obj(awaddr=address))
+        await aw.send(aw._transaction_obj(awaddr=address, awprot=next(self._protections)))
         await w.send(w._transaction_obj(wdata=data, wstrb=strobe))
         return Answer(int((await b.recv()).bresp))
 

@@ -8,7 +8,7 @@ from cocotb.triggers import Timer, with_timeout
 
 from models.registers import REGISTERS, RESET_CLOCKS, WORD_BYTES, Access
 from verif.env import axi, context
-from verif.env.axi import OKAY, SLVERR
+from verif.env.axi import OKAY, SLVERR, RegisterPort
 from verif.env.block import holds, same
 from verif.env.clocking import PERIOD_NS
 from verif.units.axil_registers.driver import (
@@ -25,6 +25,8 @@ from verif.units.axil_registers.driver import (
     play,
 )
 from verif.units.axil_registers.model import COUNTERS, PULSES, RegisterModel
+
+_MANY_FRAMES = (1 << 16) + 3
 
 
 @cocotb.test()
@@ -249,6 +251,21 @@ async def the_core_is_read_as_it_is(dut: Any) -> None:
         same("FRAMES", frames, found["FRAMES"])
         same("ERROR", code, found["ERROR"])
         same("STATUS.busy", busy, REGISTERS["STATUS"].values(found["STATUS"])["busy"])
+
+
+@cocotb.test()
+async def frames_are_counted_beyond_sixteen_bits(dut: Any) -> None:
+    """One ends in each clock, and nobody looks meanwhile; reset counts anew."""
+    bench = RegistersBench(dut, context.read())
+    await bench.reset()
+    port = RegisterPort(dut)
+    await bench.clock(frame_done=1)
+    # The clock runs on by itself; half a period away from its edges no order of events matters.
+    await Timer((_MANY_FRAMES - 1) * PERIOD_NS + PERIOD_NS // 2, "ns")
+    bench.set(frame_done=0)
+    same("FRAMES", _MANY_FRAMES, (await port.get("FRAMES"))["value"])
+    await bench.reset()
+    same("FRAMES after reset", 0, (await port.get("FRAMES"))["value"])
 
 
 @cocotb.test()

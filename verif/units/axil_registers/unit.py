@@ -37,6 +37,12 @@ UNIT = Unit(
             "assign s_axil_arready = !ar_held_reg;",
             "assign s_axil_arready = s_axil_arvalid && !ar_held_reg;",
         ),
+        # A read of instructions is refused.
+        Break(
+            _FILE,
+            "read_error_reg <= !READABLE[read_word_reg];",
+            "read_error_reg <= !READABLE[read_word_reg] || s_axil_arprot[2];",
+        ),
         # A response that is not waited for.
         Break(_FILE, "wire read_ends = r_valid_reg && s_axil_rready;", "wire read_ends = r_valid_reg;"),
         # Reset leaves a response behind.
