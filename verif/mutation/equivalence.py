@@ -168,7 +168,7 @@ class Solver:
     """Decides about mutants of one design. seconds: for one question to the solver."""
 
     design: Design
-    seconds: float = 8.0
+    seconds: int = 8
 
     @cached_property
     def _clocks(self) -> int:

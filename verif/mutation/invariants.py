@@ -36,7 +36,7 @@ _ROUNDS = 80
 
 
 def find(
-    design: Design, seconds: float, copies: Mapping[int, int] = MappingProxyType({})
+    design: Design, seconds: int, copies: Mapping[int, int] = MappingProxyType({})
 ) -> tuple[Clause, ...]:
     """Clauses that always hold after reset; none where there are too many registers. seconds: a question.
 
@@ -74,7 +74,7 @@ def _run(design: Design, graph: Graph, states: dict[int, int], reset: bool, copi
 
 
 def _true_after_reset(
-    design: Design, clauses: list[Clause], seconds: float, copies: Mapping[int, int]
+    design: Design, clauses: list[Clause], seconds: int, copies: Mapping[int, int]
 ) -> list[Clause]:
     """Those that reset makes true; none where the solver cannot say."""
     graph = Graph()
@@ -163,7 +163,7 @@ def _clauses(latches: Sequence[int], size: int) -> Iterator[Clause]:
             yield tuple(2 * latch + bit for latch, bit in zip(chosen, inverted, strict=True))
 
 
-def _inductive(design: Design, clauses: list[Clause], seconds: float) -> tuple[Clause, ...]:
+def _inductive(design: Design, clauses: list[Clause], seconds: int) -> tuple[Clause, ...]:
     for _ in range(_ROUNDS):
         graph, states = Graph(), dict[int, int]()
         run = _run(design, graph, states, False, {})

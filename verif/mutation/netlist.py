@@ -37,7 +37,7 @@ _LISTS = ("list.txt", "more.txt")
 
 _NAME = re.compile(r"[A-Za-z_]\w*")
 _PORT = re.compile(r"^  (?:input|output) (?:\[[^]]*\] )?(\S+);", re.MULTILINE)
-_NET = re.compile(r"^  (?:wire|reg) (?:signed )?(?:\[[^]]*\] )?([A-Za-z]\w*)(?: \[[^]]*\])?;", re.MULTILINE)
+_NET = re.compile(r"^  (?:wire|reg) (?:signed )?(?:\[[^]]*\] )?([A-Za-z]\w*)(?: \[[^]]*\])? ?;", re.MULTILINE)
 _BELOW = re.compile(r"^  (?:wire|reg) .*?\\(\S+\.([A-Za-z]\w*)) ", re.MULTILINE)
 _UNNAMED = re.compile(r"\bgenblk\d+\.")
 """Scopes that yosys makes up where the design names none."""

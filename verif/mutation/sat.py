@@ -1,5 +1,6 @@
 """Asks yices whether literals of a graph can be true at once."""
 
+import resource
 import subprocess
 import sys
 import tempfile
@@ -31,18 +32,28 @@ class Solution:
         return ((literal >> 1) in self.true) != bool(literal & 1)
 
 
-def any_of(graph: Graph, literals: Sequence[int], seconds: float, given: Sequence[int] = ()) -> Solution:
-    """Whether one of ``literals`` can be true while all of ``given`` are."""
+def _limit(seconds: int) -> None:
+    """Processor time, so that a busy machine changes no verdict."""
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+
+
+def any_of(graph: Graph, literals: Sequence[int], seconds: int, given: Sequence[int] = ()) -> Solution:
+    """Whether one of ``literals`` can be true while all of ``given`` are.
+
+    seconds: of the solver's processor, at most; 0 ask nothing.
+    """
     wanted = [literal for literal in literals if literal != FALSE]
     if not wanted or FALSE in given:
         return Solution(Answer.NO)
+    if not seconds:
+        return Solution(Answer.UNKNOWN)
     assumed = [literal for literal in given if literal != TRUE]
     clauses: list[list[int]] = [[literal] for literal in assumed]
     clauses += [] if TRUE in wanted else [wanted]
     return _ask(graph, clauses, seconds)
 
 
-def _ask(graph: Graph, clauses: list[list[int]], seconds: float) -> Solution:
+def _ask(graph: Graph, clauses: list[list[int]], seconds: int) -> Solution:
     numbers: dict[int, int] = {}
     pending = [literal >> 1 for clause in clauses for literal in clause]
     lines: list[str] = []
@@ -70,16 +81,13 @@ def _ask(graph: Graph, clauses: list[list[int]], seconds: float) -> Solution:
         file.write(text)
         file.flush()
         solver = Path(sys.executable).with_name("yices-sat")
-        try:
-            done = subprocess.run(
-                [str(solver), "--model", file.name],
-                capture_output=True,
-                text=True,
-                timeout=seconds,
-                check=False,
-            )
-        except subprocess.TimeoutExpired:
-            return Solution(Answer.UNKNOWN)
+        done = subprocess.run(
+            [str(solver), "--model", file.name],
+            capture_output=True,
+            text=True,
+            preexec_fn=lambda: _limit(seconds),
+            check=False,
+        )
     words = done.stdout.split()
     if not words or words[0] not in (Answer.YES, Answer.NO):
         return Solution(Answer.UNKNOWN)
