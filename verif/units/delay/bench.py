@@ -39,6 +39,10 @@ class DelayBench:
         """Bits of the longest ring's pointer."""
         return max((len(pointer) for pointer in self._pointers), default=0)
 
+    def pointers(self) -> list[int]:
+        """Of every ring, the shortest first."""
+        return [int(pointer.value) for pointer in self._pointers]
+
     def power_up(self, start: int) -> None:
         """Sets every ring's pointer, as far as it holds the number."""
         for pointer in self._pointers:
@@ -85,13 +89,14 @@ async def words_come_out_as_late_as_the_line_is_deep(dut: Any) -> None:
 
 @cocotb.test()
 async def a_reset_sets_the_ring_right_wherever_it_powers_up(dut: Any) -> None:
-    """Each pointer of each ring, those behind its last word too; a reset of one clock, then as many words as
-    the longest line holds."""
+    """Each pointer of each ring, those behind its last word too; a reset of one clock, behind which all stand at
+    their first word; then as many words as the longest line holds, twice."""
     run = context.read()
     bench = DelayBench(dut, run)
     for start in range(1 << bench.pointer_width):
         bench.power_up(start)
         await bench.reset(clocks=1)
+        assert not any(bench.pointers()), f"pointers {bench.pointers()} behind a reset at {start}, not all 0"
         for word in run.generator(start).integers(0, bench.most, 2 * bench.depths, endpoint=True):
             await bench.clock(int(word))
 

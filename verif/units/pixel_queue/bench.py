@@ -210,6 +210,13 @@ async def pixels_come_back_in_any_order_all_around_the_ring(dut: Any) -> None:
 
 
 @cocotb.test()
+async def a_pixel_is_waited_for_in_every_slot(dut: Any) -> None:
+    """They come back slowly, in their order: each slot is the oldest, and empty, for some clocks."""
+    bench, _ = await _bench(dut)
+    await bench.picture(Picture(bench.slots, 3, (), (0,), (3,), ()))
+
+
+@cocotb.test()
 async def a_consumer_that_stops_stops_the_slots(dut: Any) -> None:
     """It takes nothing for long: the slots, and the output, hold a pixel each, and none is lost."""
     bench, _ = await _bench(dut)
