@@ -45,10 +45,10 @@ module scan #(
     localparam [X_W-1:0] H_END = H_ACTIVE[X_W-1:0];
     localparam [Y_W-1:0] V_END = V_ACTIVE[Y_W-1:0];
     localparam [ADDRESS_W-1:0] ROW = WIDTH[ADDRESS_W-1:0];
-    localparam COLUMNS_W = SIZE_W + X_W;
-    localparam ROWS_W = SIZE_W + Y_W;
+    localparam COLUMNS_W = SIZE_W > X_W ? SIZE_W : X_W;
+    localparam ROWS_W = SIZE_W > Y_W ? SIZE_W : Y_W;
 
-    // Where the picture is. It settles within three clocks.
+    // Where the picture is. It settles within three clocks. Both products fit the screen.
     wire [COLUMNS_W-1:0] columns = width * FACTOR[COLUMNS_W-1:0];
     wire [ROWS_W-1:0] rows = height * FACTOR[ROWS_W-1:0];
     wire unused_high = &{1'b0, columns, rows};

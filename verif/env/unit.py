@@ -50,8 +50,9 @@ class Unit:
     name: module, folder and latency entry. parameters: the Verilog's defaults. sets: named
     changes to them and macros, each a build; `default` is always there. defines: macros of the build.
     exhaustive: the set, if any, narrow enough to try every operand. top: module at the top of the
-    build, where it is not the module itself but a wrapper in the unit's folder. breaks: changes of
-    the design that prove that the bench can fail.
+    build, where it is not the module itself but a wrapper in the unit's folder. tests: of a set with
+    which all of them would take too long, the one that is run. breaks: changes of the design that prove
+    that the bench can fail.
     """
 
     name: str
@@ -60,6 +61,7 @@ class Unit:
     defines: Mapping[str, int] = field(default_factory=dict)
     exhaustive: str | None = None
     top: str = ""
+    tests: Mapping[str, str] = field(default_factory=dict)
     breaks: tuple[Break, ...] = ()
 
     @property

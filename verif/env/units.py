@@ -135,6 +135,7 @@ def simulate(
             "extra": {} if shrink else {"shrink": False},
             "unit": name if functional and not replacements else "",
         },
+        tests=unit.tests.get(parameter_set),
     )
 
 

@@ -44,5 +44,9 @@ SMALL = Mode("small", 1, Axis(20, 2, 3, 4), Axis(14, 1, 2, 3))
 MIXED = Mode("mixed", 1, Axis(25, 1, 7, 3, positive=True), Axis(13, 3, 1, 1))
 """A line of 36 clocks, pulses of both polarities, a picture that is in the middle to half a pixel."""
 
+WIDE = Mode("wide", 1, Axis(4093, 1, 1, 1), Axis(2, 1, 1, 1))
+TALL = Mode("tall", 1, Axis(2, 1, 1, 1), Axis(4093, 1, 1, 1))
+"""Lines, or columns, of 4,096: of a size all 12 bits are in use."""
+
 TIGHT = Mode("tight", 1, Axis(13, 1, 1, 1), Axis(5, 1, 1, 1, positive=True))
 """A line of 16 clocks and 8 lines: the counters use all their values; nothing is longer than it must be."""

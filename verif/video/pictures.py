@@ -15,6 +15,8 @@ from verif.env.pipelined import Mismatch
 from verif.env.streams import Naming, Stream, Transaction
 
 SIZE_W = 12
+LARGEST = (1 << SIZE_W) - 1
+"""Width or height of a picture."""
 Word = tuple[int, int, int, int, int]
 """tdata, tuser, tlast, and the ports width and height in the same clock."""
 
@@ -69,6 +71,12 @@ def shots(store: Store) -> st.SearchStrategy[Shot]:
         sizes.map(lambda size: Shot(*size)),
         sizes.flatmap(broken),
     )
+
+
+def extremes(store: Store) -> list[Shot]:
+    """The stored size, the smallest pictures, the longest line and the longest column."""
+    small = [Shot(side, side) for side in (3, 2, 1)]
+    return [Shot(store.width, store.height), *small, Shot(LARGEST, 1), Shot(1, LARGEST)]
 
 
 class Painter:

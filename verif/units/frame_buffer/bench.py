@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from verif.env import context
 from verif.env.block import holds, same
 from verif.env.pipelined import Mismatch
-from verif.video.clocks import Clocks, Ratio, ratios
+from verif.video.clocks import PIXEL_PS, Clocks, Ratio, ratios
 from verif.video.modes import store_of
-from verif.video.pictures import Shot, shots
+from verif.video.pictures import Shot, extremes, shots
 from verif.video.seen import watch
 from verif.video.sender import Sender
 
@@ -165,6 +165,17 @@ async def every_whole_picture_is_shown_in_its_turn_and_nothing_else(dut: Any) ->
 
     sent = st.lists(shots(bench.store), min_size=1, max_size=6)
     await holds(bench.run, example, ratios(), sent, _idles(), _gaps())
+
+
+@cocotb.test()
+async def the_longest_line_and_column_are_cut_and_the_smallest_pictures_are_not(dut: Any) -> None:
+    """Sizes that need all their bits, behind pictures of one to three pixels a side."""
+    bench = BufferBench(dut)
+    sent = extremes(bench.store)
+    await bench.restart(Ratio(PIXEL_PS // 2))
+    await bench.sender.send(sent)
+    await bench.watch()
+    same("pictures", len(sent), len(bench.sender.assembler.pictures))
 
 
 @cocotb.test()

@@ -14,7 +14,7 @@ from verif.env import context
 from verif.env.block import holds, same
 from verif.video.clocks import PIXEL_PS, Clocks, Ratio, ratios
 from verif.video.modes import mode_of, store_of
-from verif.video.pictures import Shot, check_order, shots
+from verif.video.pictures import Shot, check_order, extremes, shots
 from verif.video.samples import Screen
 from verif.video.seen import watch
 from verif.video.sender import Sender
@@ -142,6 +142,17 @@ async def pictures_of_other_sizes_are_cut_or_stand_in_the_middle(dut: Any) -> No
     await bench.restart(Ratio(PIXEL_PS // 2))
     widths, heights = range(1, bench.store.width + 3), range(1, bench.store.height + 3)
     sent = [Shot(width, height) for width in widths for height in heights]
+    await bench.sender.send(sent)
+    await bench.watch(len(sent))
+    same("pictures", len(sent), len(bench.sender.assembler.pictures))
+
+
+@cocotb.test()
+async def the_longest_line_and_column_are_cut_and_the_smallest_pictures_are_not(dut: Any) -> None:
+    """Sizes that need all their bits, behind pictures of one to three pixels a side."""
+    bench = VideoBench(dut)
+    sent = extremes(bench.store)
+    await bench.restart(Ratio(PIXEL_PS // 2))
     await bench.sender.send(sent)
     await bench.watch(len(sent))
     same("pictures", len(sent), len(bench.sender.assembler.pictures))
