@@ -89,8 +89,8 @@ async def words_come_out_as_late_as_the_line_is_deep(dut: Any) -> None:
 
 @cocotb.test()
 async def a_reset_sets_the_ring_right_wherever_it_powers_up(dut: Any) -> None:
-    """Each pointer of each ring, those behind its last word too; a reset of one clock, behind which all stand at
-    their first word; then as many words as the longest line holds, twice."""
+    """Each pointer of each ring, those behind its last word too; a reset of one clock, behind which all stand
+    at their first word; then as many words as the longest line holds, twice."""
     run = context.read()
     bench = DelayBench(dut, run)
     for start in range(1 << bench.pointer_width):
