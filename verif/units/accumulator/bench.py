@@ -270,3 +270,16 @@ async def a_pixel_of_the_most_work_takes_as_many_terms(dut: Any) -> None:
         await bench.step(Clock(term=Term(lane % bench.slots, colour)))
         await bench.steps([Clock()] * _LATENCY)
         same("pixels after the last term", before + 1, bench.complete)
+
+
+@cocotb.test()
+async def the_counts_of_every_slot_wrap(dut: Any) -> None:
+    """Each slot has a pixel of the most work, then one with which both of its counts begin anew."""
+    bench, _ = await _bench(dut)
+    most, before = bench.most_work - 1, bench.complete
+    for slot in range(bench.slots):
+        for work in (most, 1):
+            await bench.step(Clock(More(slot, work)))
+            await bench.steps([Clock(term=Term(slot, (1, slot, 0)))] * (work + 1))
+    await bench.finish()
+    same("pixels", 2 * bench.slots, bench.complete - before)

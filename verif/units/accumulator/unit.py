@@ -7,7 +7,11 @@ _FILE = "pixel/accumulator.v"
 UNIT = Unit(
     name="accumulator",
     parameters={"SLOTS": 256, "COUNT_W": 8},
-    sets={"small": {"SLOTS": 4, "COUNT_W": 3}, "smallest": {"SLOTS": 2, "COUNT_W": 1}},
+    sets={
+        "small": {"SLOTS": 4, "COUNT_W": 3},
+        "smallest": {"SLOTS": 2, "COUNT_W": 1},
+        "deep": {"SLOTS": 64, "COUNT_W": 9},
+    },
     breaks=(
         # Counts: not cleared after reset, the last term counts too, work that is lost.
         Break(_FILE, "ended_slot = clearing ? clear_slot : term_slot;", "ended_slot = term_slot;"),

@@ -4,7 +4,7 @@ Statements are about the steps of a whole ray and what came of them, not about t
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import cocotb
@@ -160,6 +160,21 @@ async def _long_run(dut: Any, share: int, check: Callable[[Seen], Holds] | None 
 async def a_long_run_matches_the_model(dut: Any) -> None:
     """Volume."""
     await _long_run(dut, share=5)
+
+
+@cocotb.test()
+async def every_bit_of_a_share_weighs(dut: Any) -> None:
+    """All objects have the same shares: every other bit of them is 1, then the others, then all, then none."""
+    bench, run = await create(dut)
+    p = run.parameters
+    most, deepest = selected(p).coeff.max, (1 << p["DEPTH_W"]) - 1
+    plain = drawn_frame(run.generator(2), 1, deepest, True, True, p)
+    for number, share in enumerate((most // 3, most - most // 3, most, 0)):
+        shares = np.full_like(plain.materials.reflection, share)
+        frame = replace(plain, materials=replace(plain.materials, reflection=shares, transparency=shares))
+        await bench.load(frame.materials, frame.settings)
+        got = await run_rays(bench, frame, drawn_rays(run.generator(3, number), frame, _PART // 4, p))
+        assert bool(got["child_valid"].any()) == (share > 0), f"children with a share of {share}"
 
 
 @cocotb.test()

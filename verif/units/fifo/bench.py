@@ -15,6 +15,8 @@ from verif.env.block import Block, holds, same
 _LATENCY = 2
 _PART = 200
 """Clocks of the long run with one manner of both sides."""
+_LONGEST = 64
+"""Clocks that a drawn side waits or goes at most: others fill a deeper queue."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +84,7 @@ def _pattern(longest: int) -> st.SearchStrategy[list[bool]]:
 
 
 def _clocks(bench: FifoBench) -> st.SearchStrategy[list[Clock]]:
-    pattern = _pattern(2 * bench.depth)
+    pattern = _pattern(min(2 * bench.depth, _LONGEST))
     data = st.lists(st.integers(0, (1 << bench.width) - 1), min_size=1, max_size=20)
     return st.builds(_together, pattern, pattern, data)
 

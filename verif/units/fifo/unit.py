@@ -1,11 +1,16 @@
-"""The queue between two streams: an ordinary size, the smallest two, and items wider than a word."""
+"""The queue between two streams: an ordinary size, the smallest two, the largest, items wider than a word."""
 
 from verif.env.unit import Break, Unit
 
 UNIT = Unit(
     name="fifo",
     parameters={"WIDTH": 32, "DEPTH": 16},
-    sets={"smallest": {"WIDTH": 1, "DEPTH": 2}, "small": {"WIDTH": 8, "DEPTH": 4}, "wide": {"WIDTH": 300}},
+    sets={
+        "smallest": {"WIDTH": 1, "DEPTH": 2},
+        "small": {"WIDTH": 8, "DEPTH": 4},
+        "wide": {"WIDTH": 300},
+        "deep": {"WIDTH": 8, "DEPTH": 256},
+    },
     breaks=(
         Break(
             "flow/fifo.v",

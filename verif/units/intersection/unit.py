@@ -13,6 +13,9 @@ from verif.env.fields import Field, Operands, bit, concatenate, count, select
 from verif.env.unit import Break, Parameters, PipelinedUnit
 from verif.units.intersection import rays, triangles
 
+_RARE = 100
+"""One operand in so many is at the edge of the room."""
+
 
 def _inputs(p: Parameters) -> tuple[Field, ...]:
     fmts = selected(p)
@@ -86,9 +89,29 @@ def alternating(p: Parameters, generator: Generator, size: int) -> Operands:
     return {**drawn, "limit": rays.limits(generator, _model(p, drawn)["distance"], fmts)}
 
 
+def _from_edge_to_edge(p: Parameters, size: int) -> Operands:
+    """Rays from a corner of the room against triangles at the opposite one, whose shape is as large as it can
+    be, and no unit vector: the largest products that the unit can meet, of either sign."""
+    fmts = selected(p)
+    ends = np.arange(size) % 2 == 0
+    reach = fmts.coord.max << (fmts.point.frac_bits - fmts.coord.frac_bits)
+
+    def lanes(number: int, low: int, high: int) -> Raw:
+        return np.tile(np.where(ends, low, high), (number, 1))
+
+    return {
+        "origin": lanes(3, -reach, reach),
+        "direction": lanes(3, fmts.unit.one // 2, -fmts.unit.one // 2),
+        "limit": np.full(size, fmts.point.max),
+        "triangle": np.ones(size, dtype=np.int64),
+        "shape": lanes(3, fmts.unit.max, fmts.unit.min),
+        "vertices": lanes(9, fmts.coord.max, fmts.coord.min),
+    }
+
+
 def _directed(p: Parameters, generator: Generator, size: int) -> Operands:
-    """Runs of the two kinds; see `alternating`."""
-    drawn = alternating(p, generator, size + 2)
+    """Runs of the two kinds, see `alternating`; some from one edge of the room to the other."""
+    drawn = concatenate([alternating(p, generator, size + 2), _from_edge_to_edge(p, 2 + size // _RARE)])
     return select(drawn, generator.permutation(count(drawn)))
 
 

@@ -237,13 +237,16 @@ async def the_widest_line_is_cast_at_one_ray_a_clock(dut: Any) -> None:
     steep = ((one, -one, 12345), (-54321, one, -one))
     # Less than a step a pixel, of either sign.
     flat = ((1, -1, 1 - LARGEST), (LARGEST - 1, -2, 1 - LARGEST))
-    for (width, height), (column, row) in itertools.product(((LARGEST, 1), (1, LARGEST)), (steep, flat)):
+    # Every bit of a remainder, which takes as large a side: alternating ones, the one way and the other.
+    striped = ((0x555, -0xAAA, 0x555), (0xAAA, 0x555, -0xAAA))
+    spans = (steep, flat, striped, striped[::-1])
+    for (width, height), (column, row) in itertools.product(((LARGEST, 1), (1, LARGEST)), spans):
         picture = Picture(width, height, (1, 2, 3), column, row)
         before = bench.now
         await bench.picture(picture, list(range(200)), [0])
         starts, behind = 1, 4
         same("clocks of the picture", starts + picture.pixels + behind, bench.now - before)
-    bench.log.info("%d operands asked for, %d rays checked", run.operands, 4 * LARGEST)
+    bench.log.info("%d operands asked for, %d rays checked", run.operands, 2 * len(spans) * LARGEST)
 
 
 @cocotb.test()

@@ -72,14 +72,19 @@ async def value_is_the_floored_quotient_at_every_pixel(dut: Any) -> None:
 
 @cocotb.test()
 async def no_error_accumulates_over_the_longest_line(dut: Any) -> None:
-    """Every pixel of lines as long as the counter allows, their spans anything."""
+    """Every pixel of lines as long as the counter allows: the largest spans, the smallest, anything."""
     run = context.read()
     bench = StepperBench(dut, run.parameters)
     await bench.clock()
     generator = run.generator(0)
     count = bench.counts - 1
-    spans = [bench.spans - 1, 1, *(int(span) for span in generator.integers(0, bench.spans, _LONG_LINES))]
-    for span in spans[: max(2, min(len(spans), run.operands // count))]:
+    spans = [
+        bench.spans - 1,
+        1,
+        count - 1,
+        *(int(span) for span in generator.integers(0, bench.spans, _LONG_LINES)),
+    ]
+    for span in spans[: max(3, min(len(spans), run.operands // count))]:
         await bench.line(span, count, count)
 
 

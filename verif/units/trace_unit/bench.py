@@ -1,5 +1,6 @@
 """Tests of the trace unit against a model of it, at every clock: when it is free, what it tests and finds."""
 
+import itertools
 from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -11,7 +12,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from models.core.trace import MISS
-from models.fixed import RADIUS
+from models.fixed import COLOUR, RADIUS
 from models.header import selected
 from models.latency import LATENCY
 from models.limits import INFINITY
@@ -316,6 +317,23 @@ async def of_equal_distances_the_lowest_number_is_found_but_never_a_rays_own(dut
             light = split(unit.term(run.parameters), [job.result])["sum"][:, 0].tolist()
             same(f"light behind {passed} triangles", [fmts.shade.one >> passed] * 3, light)
         await bench.frame(table, [job for pair in zip(rays, shadows, strict=True) for job in pair])
+
+
+@cocotb.test()
+async def a_triangle_without_area_is_no_test_wherever_it_stands(dut: Any) -> None:
+    """In each place of a full table of others, which let no light through, or far more than there is."""
+    bench, run = await _bench(dut)
+    most = run.parameters["OBJECTS"]
+    for place, share in itertools.product(range(most), (0, COLOUR.max)):
+        glass = material((share,) * 3)
+        flats = [Triangle(glass, _FACING)] * most
+        flats[place] = Triangle(glass, (*_FACING[:2], _FACING[1]))
+        table = Table(scene((), flats), run.parameters)
+        jobs = table.jobs(_lines(run.parameters, [MISS] * 2, *_AHEAD), [False, True], run.generator(5, place))
+        same("tests", [most - 1] * 2, [sum(job.tests) for job in jobs])
+        hit = split(unit.hit(run.parameters), [jobs[0].result])
+        same("number of the nearest", int(place == 0), int(hit["number"][0]))
+        await bench.frame(table, jobs)
 
 
 @cocotb.test()
