@@ -91,6 +91,7 @@ class Store:
         self._free = dict.fromkeys(self.levels, room)
         self.waiting: deque[Ray] = deque()
         self.peaks = dict.fromkeys(self.levels, 0)
+        self.scarcest = dict(self._free)
 
     @property
     def idle(self) -> bool:
@@ -132,7 +133,9 @@ class Store:
     def _go(self, frame: Frame, ray: Ray) -> None:
         self.waiting.append(ray)
         if ray.depth < frame.max_depth:
-            self._free[ray.depth + 1] -= frame.branches
+            deeper = ray.depth + 1
+            self._free[deeper] -= frame.branches
+            self.scarcest[deeper] = min(self.scarcest[deeper], self._free[deeper])
 
     def _store(self, child: Ray) -> None:
         level = self.levels[child.depth]
@@ -227,7 +230,7 @@ class StoreBench(Block):
         self.set(primary=0, child=0, child_depth=0, settle_depth=0, settle_count=0, max_depth=1, branches=0)
         self.store = Store(self.depths, self.room)
         generator = context.read().generator(0)
-        self.numbers = (
+        self.numbers: Iterator[int] = (
             int.from_bytes(generator.bytes((self._width + 7) // 8)) >> -self._width % 8 for _ in count()
         )
 
@@ -344,9 +347,10 @@ async def a_long_run_loses_no_ray(dut: Any) -> None:
     bench.log.info("%d rays checked", rays)
 
 
-async def _flood(bench: StoreBench, depth: int, primaries: int) -> None:
-    """Two children a ray. All that can go goes, unanswered; then all answers come to a taker that stalls."""
-    tracer = bench.begin(Frame(depth, 2, primaries), Manners(splits=(2,)))
+async def _flood(bench: StoreBench, depth: int, primaries: int, branches: int = 2) -> None:
+    """All children that a ray may have. All that can go goes, unanswered; then all answers come to a taker that
+    stalls."""
+    tracer = bench.begin(Frame(depth, branches, primaries), Manners(splits=(branches,)))
     while not tracer.done:
         before = tracer.taken, tracer.given
         while await bench.step(tracer, answer=False) or bench.store.waiting:
@@ -355,7 +359,7 @@ async def _flood(bench: StoreBench, depth: int, primaries: int) -> None:
             await bench.step(tracer, take=False)
         if before == (tracer.taken, tracer.given):
             raise Mismatch(f"deadlock with {tracer.taken} rays traced")
-    same("rays traced", primaries * (2**depth - 1), tracer.taken)
+    same("rays traced", primaries * sum(branches**deeper for deeper in range(depth)), tracer.taken)
 
 
 @cocotb.test()
@@ -373,6 +377,26 @@ async def the_worst_trees_fill_every_level_and_none_overflows(dut: Any) -> None:
         same("most rays stored of a depth", bench.room, max(bench.store.peaks.values()))
     for depth in range(bench.depths - 1, 0, -1):
         await _flood(bench, depth, primaries)
+
+
+@cocotb.test()
+async def chains_fill_every_level_to_its_last_place(dut: Any) -> None:
+    """One child a ray, so that every number of free places comes up, none and one too."""
+    bench, _ = await _bench(dut)
+    for depth in range(bench.depths, 0, -1):
+        await _flood(bench, depth, 2 * bench.room + 8, branches=1)
+        if depth > 1:
+            same(f"fewest free places of depth {depth}", 0, bench.store.scarcest[depth])
+
+
+@cocotb.test()
+async def rays_of_any_bits_come_as_they_went(dut: Any) -> None:
+    """All bits of a ray are 0 but a number in its low byte, then all are 1, then every other one."""
+    bench, run = await _bench(dut)
+    ones = (1 << run.parameters["RAY_W"]) - 1
+    for stripes in (0, ones, ones // 3, ones - ones // 3):
+        bench.numbers = (stripes ^ number % 256 for number in count())
+        await _flood(bench, bench.depths, _MOST_PRIMARIES)
 
 
 @cocotb.test()
