@@ -348,8 +348,8 @@ async def a_long_run_loses_no_ray(dut: Any) -> None:
 
 
 async def _flood(bench: StoreBench, depth: int, primaries: int, branches: int = 2) -> None:
-    """All children that a ray may have. All that can go goes, unanswered; then all answers come to a taker that
-    stalls."""
+    """All children that a ray may have. All that can go goes, unanswered; then all answers come to a taker
+    that stalls."""
     tracer = bench.begin(Frame(depth, branches, primaries), Manners(splits=(branches,)))
     while not tracer.done:
         before = tracer.taken, tracer.given
