@@ -5,12 +5,14 @@ from dataclasses import replace
 from typing import Any
 
 import cocotb
+import numpy as np
 from cocotb.utils import get_sim_time
 from hypothesis import strategies as st
 
 from models.core import Registers
-from models.scene.types import Scene
+from models.scene.types import Scene, View
 from verif.core.driver import CoreDriver
+from verif.core.full import STRIPES, USUAL, full_scene
 from verif.core.job import LARGEST
 from verif.core.setting import Setting
 from verif.core.strategies import Shot, depths
@@ -105,13 +107,33 @@ async def size_and_view_hold_from_the_first_frame_until_reset(dut: Any) -> None:
 
 @cocotb.test()
 async def pictures_of_the_largest_sides_are_exact(dut: Any) -> None:
-    """One row of as many columns as there can be, and one column of as many rows."""
+    """One row of as many columns as there can be, and one column of as many rows.
+
+    The camera stands along the axes, so that a remainder is that of the tangent: of almost all ones.
+    """
     setting = Setting.of(dut)
     scene = (await setting.example(4, 3)).scene
+    scale = setting.design.formats.span.frac_bits - setting.design.formats.tan.frac_bits
+    tangent = (8 * LARGEST - 1) >> scale
     for width, height in ((LARGEST, 1), (1, LARGEST)):
-        shot = Shot(scene, Registers(width, height, 30000, 30000, depth=1), None)
+        shot = Shot(scene, Registers(width, height, tangent, tangent, depth=1), None)
         await setting.core.reset(shot.registers)
         setting.same_picture(shot, await setting.draw(shot))
+
+
+@cocotb.test()
+async def frames_of_all_objects_in_colours_of_any_bits_are_exact(dut: Any) -> None:
+    """Every object that the core holds is seen, lit and casts rays, the last too; lights are near and far."""
+    setting = Setting.of(dut)
+    capacity = setting.design.capacity
+    view = View.square(12, 12, 60)
+    for values in (USUAL, STRIPES, STRIPES[1:], STRIPES[:1]):
+        shot = Shot(full_scene(capacity, values), setting.registers(view, 3), view)
+        await setting.core.reset(shot.registers)
+        wanted = setting.same_picture(shot, await setting.draw(shot))
+        hits = wanted.hit[wanted.hit >= 0]
+        same("objects seen", list(range(capacity.spheres + capacity.triangles)), np.unique(hits).tolist())
+        assert wanted.counts.secondary_rays >= 2 * hits.size, "not every hit casts two rays"
 
 
 @cocotb.test()

@@ -164,7 +164,7 @@ async def a_long_run_matches_the_model(dut: Any) -> None:
 
 @cocotb.test()
 async def every_bit_of_a_share_weighs(dut: Any) -> None:
-    """All objects have the same shares: every other bit of them is 1, then the others, then all, then none."""
+    """All objects have the same shares, in which every other bit is 1, the others are, all, none."""
     bench, run = await create(dut)
     p = run.parameters
     most, deepest = selected(p).coeff.max, (1 << p["DEPTH_W"]) - 1
