@@ -15,10 +15,13 @@ from hypothesis import strategies as st
 from models.core import Registers, Rendering, registers, render
 from models.cores import CORES
 from models.limits import MAX_DEPTH, Fault
+from models.registers import Build
 from models.scene.frame import pack
 from models.scene.load import load
 from models.scene.strategies import whole_scenes
-from models.scene.types import Scene, View
+from models.scene.types import Scene, Triangle, View
+from verif.core import registers as wires
+from verif.core.strategies import light_at_the_point
 from verif.env import context, sources
 from verif.env.axi import CoreAgents
 from verif.env.block import holds, same
@@ -30,6 +33,7 @@ _SCENES = sources.ROOT / "models" / "scenes"
 _PATIENCE = 400_000
 """Clocks after which a frame that has not ended hangs: a small picture with every channel pausing."""
 _ANGLE = 45.0
+_SINCE_RESET = ("LIGHTS_AT_POINT", "DEGENERATE")
 _COST = 10
 """A frame behind AXI ports takes so much longer than an operand of a unit."""
 
@@ -114,6 +118,14 @@ def _scene(name: str) -> Scene:
     return load(Path(_SCENES / f"{name}.toml")).scene
 
 
+def _left_out() -> Scene:
+    """A light at the point that all pixels see, and as many triangles as there may be, none with an area."""
+    scene = light_at_the_point(_FMTS)
+    step = scene.camera.position[2]
+    flat = Triangle(scene.spheres[0].material, ((0, 0, -step), (0, step, -step), (0, 2 * step, -step)))
+    return replace(scene, triangles=(flat,) * Build().triangles)
+
+
 @cocotb.test()
 async def drawn_scenes_behind_pausing_ports_are_exact_and_counted(dut: Any) -> None:
     """Any scene, size and depth; a quarter of the clocks pauses on each of the seven channels."""
@@ -169,6 +181,46 @@ async def a_refused_frame_interrupts_with_its_code_and_the_next_is_exact(dut: An
         same("error code", int(fault), (await bench.agents.registers.get("ERROR"))["code"])
         same("lines of a refused frame", 0, bench.agents.video.lines)
     await bench.draws(scene, size)
+
+
+@cocotb.test()
+async def every_register_is_behind_the_port(dut: Any) -> None:
+    """All addresses and words of all kinds, a quarter of the clocks paused on each channel."""
+    bench = await AxiBench.create(dut, 0.25)
+    await wires.every_address(bench.agents.registers)
+    await wires.every_word(bench.agents.registers)
+
+
+@cocotb.test()
+async def a_picture_without_a_size_is_refused_until_reset(dut: Any) -> None:
+    """A width too large to count becomes 0: each frame interrupts with its code, whatever is written then."""
+    bench = await AxiBench.create(dut, 0.0)
+    size, scene = _view(5, 4), _scene("one_sphere")
+    await bench.agents.registers.set("INTERRUPT_ENABLE", done=1, error=1)
+    await bench.size(replace(size, width=1 << 12))
+    for _ in range(2):
+        bench.agents.frames.send(pack(scene).words)
+        same("events", {"done": 0, "error": 1}, await bench.interrupt())
+        same("error code", int(Fault.SIZE), (await bench.agents.registers.get("ERROR"))["code"])
+        await bench.size(size)
+    await bench.reset_core()
+    await bench.draws(scene, size)
+
+
+@cocotb.test()
+async def what_is_left_out_is_counted_until_reset(dut: Any) -> None:
+    """Triangles without area, and a light at the point that every pixel sees, over several frames."""
+    bench = await AxiBench.create(dut, 0.0)
+    size, scene = Registers(4, 3, 0, 0), _left_out()
+    await bench.agents.registers.set("INTERRUPT_ENABLE", done=1, error=1)
+    await bench.size(size)
+    for _ in range(2):
+        await bench.reset_core()
+        for frame in range(1, 4):
+            wanted = await bench.draws(scene, size)
+            same("lights left out of a frame", size.width * size.height, wanted.counts.lights_at_point)
+            found = [(await bench.agents.registers.get(name))["value"] for name in _SINCE_RESET]
+            same(f"{_SINCE_RESET}", [frame * wanted.counts.lights_at_point, frame * wanted.degenerate], found)
 
 
 @cocotb.test()

@@ -12,9 +12,9 @@ from models.core import Registers, Rendering
 from models.limits import MAX_DEPTH
 from models.scene.meshes import PinHole
 from models.scene.strategies import pin_holes
-from models.scene.types import Camera, Light, Material, Scene, Sphere, Triangle, View
+from models.scene.types import Scene, Triangle, View
 from verif.core.setting import Setting
-from verif.core.strategies import Shot, depths, splitting, without_area
+from verif.core.strategies import Shot, depths, light_at_the_point, splitting, without_area
 from verif.env.block import holds, same
 from verif.env.pipelined import Mismatch
 
@@ -94,15 +94,8 @@ async def a_light_at_the_hit_point_is_left_out_and_counted(dut: Any) -> None:
     """All pixels look along one axis, at the point of the sphere where the light is: ambient light alone."""
     setting = Setting.of(dut)
     size = Registers(3, 2, 0, 0)
-    fmts = setting.design.formats
-    one = fmts.coeff.one
-    white = (one, one, one)
-    sphere = Sphere(Material((one // 2, one // 4, one), white, white), (0, 0, 0), 8)
-    surface = 8 << (fmts.coord.frac_bits - fmts.radius.frac_bits)
-    camera = Camera((0, 0, 3 * surface), (0, surface, 0), (0, 0, 0))
-    scene = Scene(camera, (Light((0, 0, surface), white),), (sphere,), (), white, (0, 0, 0))
     await setting.core.reset(size)
-    shot = Shot(scene, size, None)
+    shot = Shot(light_at_the_point(setting.design.formats), size, None)
     got = await setting.draw(shot)
     setting.same_picture(shot, got)
     same("colours", [[127, 63, 255]] * 6, got.rgb.tolist())

@@ -183,6 +183,16 @@ def flipped(words: Sequence[int], bits: Sequence[int]) -> tuple[int, ...]:
     return tuple(changed)
 
 
+def light_at_the_point(fmts: Formats) -> Scene:
+    """A sphere and its light, which is where the middle of the view meets it: ambient light alone is left."""
+    one = fmts.coeff.one
+    white = (one, one, one)
+    sphere = Sphere(Material((one // 2, one // 4, one), white, white), (0, 0, 0), 8)
+    surface = 8 << (fmts.coord.frac_bits - fmts.radius.frac_bits)
+    camera = Camera((0, 0, 3 * surface), (0, surface, 0), (0, 0, 0))
+    return Scene(camera, (Light((0, 0, surface), white),), (sphere,), (), white, (0, 0, 0))
+
+
 def without_area() -> st.SearchStrategy[Triangle]:
     """Triangles that are a point or lie on a line."""
     step = st.integers(-4, 4)

@@ -21,19 +21,22 @@ from models.scene.frame import pack
 from models.scene.load import load
 from models.scene.types import Scene, View
 from models.video import screen
+from verif.core import registers as wires
 from verif.env import context, sources
 from verif.env.axi import FrameSource, RegisterPort
 from verif.env.block import holds, same
 from verif.env.pipelined import Mismatch
 from verif.video.clocks import PIXEL_PS, Clocks, Ratio, ratios
 from verif.video.modes import mode_of, store_of
-from verif.video.pictures import check_order
+from verif.video.pictures import LARGEST, check_order
 from verif.video.samples import Screen
 
 _FMTS = CORES["default"].formats
 _SCENES = sources.ROOT / "models" / "scenes"
 _NAMES = ("three_spheres", "tetrahedron", "mirrors", "one_sphere", "shadows")
 _ANGLE = 45.0
+_NARROW = _FMTS.tan.one // 8
+"""A tangent with which all pixels of the longest line or column see the sphere."""
 _CLOCKS_A_PICTURE = 40_000
 """A picture of this size that takes more hangs."""
 _DELAY = 4
@@ -141,6 +144,16 @@ class VgaBench:
             await with_timeout(self._dut.taken.value_change, patience, "ps")
         await self.clocks.core.edge
 
+    async def interrupted(self) -> dict[str, int]:
+        """Waits for `irq`; the events that it tells, cleared."""
+        patience = _CLOCKS_A_PICTURE * self.clocks.ratio.slower_ps
+        if not int(self._dut.irq.value):
+            await with_timeout(self._dut.irq.value_change, patience, "ps")
+        events = await self.port.get("INTERRUPT")
+        await self.port.set("INTERRUPT", **events)
+        same("irq when its events are cleared", 0, int(self._dut.irq.value))
+        return events
+
     async def until_sent(self, film: Film) -> None:
         """Waits until the core has taken the frames."""
         patience = len(film.names) * _CLOCKS_A_PICTURE * self.clocks.ratio.slower_ps
@@ -152,6 +165,8 @@ class VgaBench:
 
     async def watch(self, pictures: Sequence[Rgb]) -> None:
         """Looks until all pictures are drawn, and the last one is seen; judges all frames."""
+        # What the screen has shown so far is no frame behind the last picture.
+        await self.look(1)
         frame_ps = self.mode.clocks * self.clocks.ratio.pixel_ps
         frames = 1 + _CLOCKS_A_PICTURE * self.clocks.ratio.core_ps // frame_ps
         for _ in range(_DELAY + len(pictures) * frames):
@@ -184,6 +199,44 @@ async def frames_behind_each_other_are_each_seen_whole_and_in_order(dut: Any) ->
         await bench.watch(film.pictures)
 
     await holds(bench.run, example, ratios(slower=3), _films(bench, 3, 4), cost=_COST)
+
+
+@cocotb.test()
+async def the_longest_line_and_column_are_counted_and_cut(dut: Any) -> None:
+    """Pictures of 4,095 pixels: the screen shows what the frame buffer keeps, the registers tell all rays."""
+    bench = await VgaBench.create(dut)
+    for width, height in ((LARGEST, 1), (1, LARGEST)):
+        film = Film(("one_sphere",), Registers(width, height, _NARROW, _NARROW))
+        await bench.restart(Ratio(PIXEL_PS))
+        await bench.send(film)
+        await bench.until_taken(film.pixels)
+        await bench.watch(film.pictures)
+        counts = render(film.scenes[0], film.size, _FMTS).counts
+        for name in ("primary_rays", "secondary_rays", "shadow_rays", "tests"):
+            same(name, getattr(counts, name), (await bench.port.get(name.upper()))["value"])
+
+
+@cocotb.test()
+async def every_register_is_behind_the_port(dut: Any) -> None:
+    """All addresses, and words of all kinds."""
+    bench = await VgaBench.create(dut)
+    await bench.restart(Ratio(PIXEL_PS))
+    await wires.every_address(bench.port)
+    await wires.every_word(bench.port)
+
+
+@cocotb.test()
+async def each_picture_interrupts_when_it_is_drawn(dut: Any) -> None:
+    """Two frames, one behind the other's interrupt; both are seen."""
+    bench = await VgaBench.create(dut)
+    film = _film(("mirrors", "one_sphere"), bench.store.width, bench.store.height, 5)
+    await bench.restart(Ratio(PIXEL_PS // 4))
+    await bench.port.set("INTERRUPT_ENABLE", done=1)
+    await bench.send(replace(film, names=()))
+    for scene in film.scenes:
+        bench.frames.send(pack(scene).words)
+        same("events", {"done": 1, "error": 0}, await bench.interrupted())
+    await bench.watch(film.pictures)
 
 
 @cocotb.test()
