@@ -21,6 +21,7 @@ from models.scene.load import load
 from models.scene.strategies import whole_scenes
 from models.scene.types import Scene, Triangle, View
 from verif.core import registers as wires
+from verif.core.full import STRIPES, USUAL, full_scene
 from verif.core.strategies import light_at_the_point
 from verif.env import context, sources
 from verif.env.axi import CoreAgents
@@ -221,6 +222,20 @@ async def what_is_left_out_is_counted_until_reset(dut: Any) -> None:
             same("lights left out of a frame", size.width * size.height, wanted.counts.lights_at_point)
             found = [(await bench.agents.registers.get(name))["value"] for name in _SINCE_RESET]
             same(f"{_SINCE_RESET}", [frame * wanted.counts.lights_at_point, frame * wanted.degenerate], found)
+
+
+@cocotb.test()
+async def all_that_the_core_holds_in_more_pixels_than_are_in_flight_is_exact(dut: Any) -> None:
+    """Every object is seen, in usual colours and in large ones; primary rays wait for room."""
+    bench = await AxiBench.create(dut, 0.0)
+    size = _view(12, 12, depth=3)
+    await bench.agents.registers.set("INTERRUPT_ENABLE", done=1, error=1)
+    await bench.size(size)
+    capacity = CORES["default"].capacity
+    for values in (USUAL, STRIPES):
+        wanted = await bench.draws(full_scene(capacity, values), size)
+        seen = np.unique(wanted.hit[wanted.hit >= 0]).tolist()
+        same("objects seen", list(range(capacity.spheres + capacity.triangles)), seen)
 
 
 @cocotb.test()

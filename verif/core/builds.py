@@ -49,12 +49,15 @@ def stepped_build(
 
 
 def axi_build(simulator: Simulator, waves: bool = False) -> Build:
-    """The core behind its AXI ports, for benches that look at every clock."""
+    """The core behind its AXI ports, for benches that look at every clock.
+
+    It has more pixels in flight than room for primary rays, so that these must wait for it.
+    """
     core = CORES["default"]
     return Build(
         AXI_TOP,
         simulator,
-        parameters={**core.parameters(), "PIXELS_IN_FLIGHT": 64, "LEVEL_ROOM": 64},
+        parameters={**core.parameters(), "PIXELS_IN_FLIGHT": 128, "LEVEL_ROOM": 64},
         defines=defines(core.knobs),
         waves=waves,
         control=control(AXI_TOP),

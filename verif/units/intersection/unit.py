@@ -14,7 +14,7 @@ from verif.env.unit import Break, Parameters, PipelinedUnit
 from verif.units.intersection import rays, triangles
 
 _RARE = 100
-"""One operand in so many is at the edge of the room."""
+"""One operand in so many is at the edge of space."""
 
 
 def _inputs(p: Parameters) -> tuple[Field, ...]:
@@ -90,17 +90,16 @@ def alternating(p: Parameters, generator: Generator, size: int) -> Operands:
 
 
 def _from_edge_to_edge(p: Parameters, size: int) -> Operands:
-    """Rays from a corner of the room against triangles at the opposite one, whose shape is as large as it can
-    be, and no unit vector: the largest products that the unit can meet, of either sign."""
+    """Rays from a corner of all space against triangles at the opposite one, whose shape is no unit vector
+    but as large as it can be: the largest products that the unit can meet, of either sign."""
     fmts = selected(p)
     ends = np.arange(size) % 2 == 0
-    reach = fmts.coord.max << (fmts.point.frac_bits - fmts.coord.frac_bits)
 
     def lanes(number: int, low: int, high: int) -> Raw:
         return np.tile(np.where(ends, low, high), (number, 1))
 
     return {
-        "origin": lanes(3, -reach, reach),
+        "origin": lanes(3, fmts.point.min, fmts.point.max),
         "direction": lanes(3, fmts.unit.one // 2, -fmts.unit.one // 2),
         "limit": np.full(size, fmts.point.max),
         "triangle": np.ones(size, dtype=np.int64),
@@ -110,7 +109,7 @@ def _from_edge_to_edge(p: Parameters, size: int) -> Operands:
 
 
 def _directed(p: Parameters, generator: Generator, size: int) -> Operands:
-    """Runs of the two kinds, see `alternating`; some from one edge of the room to the other."""
+    """Runs of the two kinds, see `alternating`; some from one edge of space to the other."""
     drawn = concatenate([alternating(p, generator, size + 2), _from_edge_to_edge(p, 2 + size // _RARE)])
     return select(drawn, generator.permutation(count(drawn)))
 
