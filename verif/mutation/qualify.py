@@ -1,7 +1,7 @@
 """Qualifies the bench of a unit: makes mutants, has them judged, sorts the survivors out, keeps the result.
 
-Survivors get more and longer looks with other seeds once the solver has taken out those that are equivalent:
-it is cheap to give every mutant little and the few that are left much.
+Survivors get longer looks with other seeds: it is cheap to give every mutant little and the few that are left
+much. The solver takes out those that are equivalent behind the first of these looks.
 """
 
 import hashlib
@@ -80,13 +80,13 @@ def qualify(plan: Plan, progress: Progress = lambda *_: None) -> Result:
     progress("build", 0, 1)
     session = _judged(plan, unit, mutated, None, _FIRST, plan.seed, progress)
     found = {one.mutant.number: one for one in session.judged}
+    looks = range(1, _LOOKS if plan.again else 1)
+    # One longer look before the solver, to which low bits of wide arithmetic are the hardest question.
+    for look in looks[:1]:
+        found.update(_looked_at_again(plan, unit, mutated, found, look, progress))
     found.update(_decided(unit, chosen, mutated, found, progress))
-    for look in range(1, _LOOKS if plan.again else 1):
-        left = [number for number, one in found.items() if _open(one)]
-        if left:
-            again = _judged(plan, unit, mutated, left, _SECOND, plan.seed + look, progress)
-            caught = (one for one in again.judged if one.status is not Status.SURVIVED)
-            found.update({one.mutant.number: one for one in caught})
+    for look in looks[1:]:
+        found.update(_looked_at_again(plan, unit, mutated, found, look, progress))
     files = {*sources.relative([*sources.closure(unit.module), *sources.headers()]), *session.files}
     own = str(Path(__file__).parent.relative_to(sources.ROOT))
     return Result(
@@ -120,6 +120,17 @@ def _judged(
         bench=plan.bench,
         progress=lambda done: progress("mutant" if only is None else "second look", done, number),
     )
+
+
+def _looked_at_again(
+    plan: Plan, unit: Unit, mutated: Netlist, found: dict[int, Judged], look: int, progress: Progress
+) -> dict[int, Judged]:
+    """Those that a longer look with another seed catches."""
+    left = [number for number, one in found.items() if _open(one)]
+    if not left:
+        return {}
+    again = _judged(plan, unit, mutated, left, _SECOND, plan.seed + look, progress)
+    return {one.mutant.number: one for one in again.judged if one.status is not Status.SURVIVED}
 
 
 def _open(one: Judged) -> bool:
