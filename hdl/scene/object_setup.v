@@ -17,8 +17,8 @@
 //   WIDE_W                            bits of a component that the normaliser takes
 //
 // Ports
-//   start           a new frame; `spheres`, `triangles` (counts), `ambient_light` {r, g, b} (RT_COEFF)
-//                   and the records hold still until done
+//   start           a new frame, ignored until the last one is done; `spheres`, `triangles` (counts),
+//                   `ambient_light` {r, g, b} (RT_COEFF) and the records hold still until done
 //   sphere_index, sphere, triangle_index, triangle    read ports of scene_memory
 //   vector_valid, vector    to the normaliser {x, y, z}
 //   unit_valid, unit        from the normaliser, RT_UNIT; 0 for the vector 0
@@ -151,18 +151,19 @@ module object_setup #(
     };
 
     // Sequence of products: `issue_reg` counts those sent, `collect` those that came back. Products
-    // 0 to 5 are those of the cross product, which a sphere leaves out: 2 k and 2 k + 1 make its
-    // component k (x, y, z). Products 6 to 8 are the ambient term {r, g, b}.
+    // 0 to 5 are those of the cross product: 2 k and 2 k + 1 make its component k (x, y, z). A sphere
+    // has no use for them, but waits longer for its quotient. Products 6 to 8 are the ambient term
+    // {r, g, b}; the last one alone has bit 3.
     localparam [3:0] AMBIENT = 4'd6;
     localparam [3:0] LAST = 4'd8;
     reg [3:0] issue_reg;
     wire issue = state_reg == S_PRODUCTS && issue_reg <= LAST;
     wire collect_valid;
     wire [3:0] collect;
-    wire collected = collect_valid && collect == LAST;
+    wire collected = collect_valid && collect[3];
 
     always @(posedge clk) begin
-        if (state_reg == S_START) issue_reg <= is_triangle_reg ? 4'd0 : AMBIENT;
+        if (state_reg == S_START) issue_reg <= 4'd0;
         else if (issue) issue_reg <= issue_reg + 1'b1;
     end
 
@@ -254,10 +255,8 @@ module object_setup #(
         .out(shade)
     );
 
-    always @(posedge clk) begin
-        if (collect_valid && collect >= AMBIENT)
-            ambient_reg <= {ambient_reg[2*SHADE_W-1:0], shade};
-    end
+    // The last three products stay.
+    always @(posedge clk) if (collect_valid) ambient_reg <= {ambient_reg[2*SHADE_W-1:0], shade};
 
     // 1 / radius waits in the divider until its row is written.
     wire write = state_reg == S_WRITE;

@@ -6,6 +6,7 @@ latency.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import cocotb
@@ -144,12 +145,17 @@ class ObjectSetupBench(Block):
         self.set(start=0)
         self._running = True
 
-    async def run(self, frame: Frame, rest: int = 0) -> None:
-        """One set-up: its rows, its requests, its time; marks stand through ``rest`` more clocks."""
+    async def run(self, frame: Frame, rest: int = 0, start: int = 0) -> None:
+        """One set-up: its rows, its requests, its time; marks stand through ``rest`` more clocks.
+
+        ``start``: its level in all clocks before that of done, where it changes nothing.
+        """
         await self.start(frame)
+        self.set(start=start)
         clocks = 1
         while not await self.step():
             clocks += 1
+            self.set(start=start if clocks < frame.clocks else 0)
             assert clocks <= frame.clocks, f"not done {clocks} clocks after start, {frame.clocks} promised"
         same("clocks from start to done", frame.clocks, clocks)
         self._compare(frame)
@@ -316,6 +322,33 @@ async def frames_of_as_many_objects_as_the_indices_hold(dut: Any) -> None:
     held = tuple(Sphere(colour[k], (k, -k, 0), 1 + k % RADIUS.max) for k in range(full[0]))
     flat = tuple(Triangle(colour[k], ((0, 0, 0), (k, 1, 0), (0, k, 2))) for k in range(full[1]))
     await bench.run(Frame((COLOUR.one,) * 3, held, flat, 5))
+
+
+@cocotb.test()
+async def glass_and_mirrors_of_a_single_bit_are_told(dut: Any) -> None:
+    """Each bit of each channel alone, of one and of the other: the row and the marks of the frame."""
+    bench = await ObjectSetupBench.create(dut)
+    for channel, bit in product(range(3), range(COLOUR.width)):
+        values = [0, 0, 0]
+        values[channel] = 1 << bit
+        red, green, blue = values
+        for mirror, glass in (((red, green, blue), BLACK), (BLACK, (red, green, blue))):
+            material = Material(BLACK, BLACK, BLACK, mirror, glass)
+            await bench.run(Frame(BLACK, (Sphere(material, (0, 0, 0), 1),), (), 1))
+
+
+@cocotb.test()
+async def start_before_done_is_ignored(dut: Any) -> None:
+    """High in every clock of a drawn set-up, which is exact and on time, and so is the next one."""
+    bench = await ObjectSetupBench.create(dut)
+
+    async def example(first: Frame, second: Frame) -> None:
+        await bench.restart()
+        await bench.run(first, rest=1, start=1)
+        await bench.run(second)
+
+    frames = _frames(bench.most)
+    await holds(context.read(), example, frames, frames, cost=2)
 
 
 @cocotb.test()

@@ -7,7 +7,7 @@ _FILE = "scene/object_setup.v"
 UNIT = Unit(
     name="object_setup",
     parameters={"SPHERE_INDEX_W": 2, "TRIANGLE_INDEX_W": 4, "OBJECT_W": 5, "WIDE_W": 41},
-    sets={"wide": {"SPHERE_INDEX_W": 8, "TRIANGLE_INDEX_W": 3, "OBJECT_W": 9, "WIDE_W": 50}},
+    sets={"wide": {"SPHERE_INDEX_W": 8, "TRIANGLE_INDEX_W": 8, "OBJECT_W": 9, "WIDE_W": 50}},
     breaks=(
         Break(
             _FILE, "if (rst) state_reg <= S_IDLE;", "if (rst && state_reg != S_START) state_reg <= S_IDLE;"
