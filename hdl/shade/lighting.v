@@ -126,6 +126,7 @@ module lighting #(
     wire [3*SHADE_W-1:0] row_ambient = row_reg[6*COEFF_W+:3*SHADE_W];
 
     // ------------------------------------------------ light
+    // A light at the hit point has no direction, thus no cosine: it is dark by itself.
     wire phong_valid;
     wire [STEP_W-1:0] phong_step;
     wire [WAY_W-1:0] phong_way;
@@ -142,7 +143,7 @@ module lighting #(
         .normal    (row_normal),
         .mirrored  (row_mirrored),
         .direction (row_way[POINT_W+1+:3*UNIT_W]),
-        .dark      (row_way[0] || !row_lit),
+        .dark      (!row_lit),
         .k_diffuse (row_reg[3*COEFF_W+:3*COEFF_W]),
         .k_specular(row_reg[0+:3*COEFF_W]),
         .intensity (row_intensity),

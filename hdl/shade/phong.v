@@ -6,7 +6,7 @@
 //
 // Ports
 //   normal, mirrored, direction    N, R, L, {x, y, z}, RT_UNIT
-//   dark                           the light adds nothing (it is at the hit point)
+//   dark                           the light adds nothing (there is none)
 //   k_diffuse, k_specular          of the surface, {r, g, b}, RT_COEFF
 //   intensity                      of the light, {r, g, b}, RT_COEFF
 //   colour                         {r, g, b}, RT_SHADE; each product floored, all saturated

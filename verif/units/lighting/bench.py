@@ -1,7 +1,7 @@
 """Tests of the light of each step: the model at every clock, and what header and book say of a step."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import cocotb
@@ -196,3 +196,31 @@ async def a_weight_of_none_casts_no_shadow_ray(dut: Any) -> None:
         dark = select(got, np.flatnonzero(weight.max(axis=0) == 0))
         if dark["shadow_valid"].any() or not dark["direct_valid"].all() or dark["direct_base"].any():
             raise Mismatch("a ray without weight adds something")
+
+
+@cocotb.test()
+async def light_of_a_single_bit_casts_a_shadow_ray(dut: Any) -> None:
+    """White light straight above a white surface is what the weight is: each bit of each channel alone."""
+    bench, run = await create(dut)
+    p, fmts = run.parameters, selected(run.parameters)
+    drawn = await load(bench, 2)
+    dull = 0 * drawn.materials.specular
+    frame = replace(drawn, materials=replace(drawn.materials, diffuse=dull + fmts.coeff.one, specular=dull))
+    await bench.load(frame.materials, frame.settings(p))
+
+    width = fmts.shade.width
+    steps = drawn_steps(run.generator(1 << 17), 3 * width, p)
+    up = np.repeat([[0], [0], [1]], 3 * width, axis=1)
+    weight = np.kron(np.eye(3, dtype=np.int64), 1 << np.arange(width))
+    above = {
+        **{name: np.ones(3 * width, dtype=np.int64) for name in ("hit", "lit")},
+        "point": 0 * up,
+        "position": up * fmts.coord.one,
+        "normal": up * fmts.unit.one,
+        "intensity": 0 * up + fmts.coeff.one,
+        "weight": weight,
+    }
+    got = await run_steps(bench, frame, {**steps, **above})
+    wrong = np.flatnonzero(~all_lanes(got["shadow_light"] == weight))
+    if wrong.size:
+        raise Mismatch(f"no shadow ray with the light of weights {weight[:, wrong].T.tolist()}")

@@ -18,7 +18,7 @@ UNIT = Unit(
         Break(_FILE, "phong_hit ? phong_ambient : background_shade", "background_shade"),
         # The light: of a miss, where there is none, one channel of it, not weighed.
         Break(_FILE, "wire bright = end_hit &&", "wire bright ="),
-        Break(_FILE, "row_way[0] || !row_lit", "row_way[0]"),
+        Break(_FILE, ".dark      (!row_lit),", ".dark      (1'b0),"),
         Break(_FILE, "end_light != {3 * SHADE_W{1'b0}}", "end_light[0+:SHADE_W] != {SHADE_W{1'b0}}"),
         Break(_FILE, "({2{phong_weight}})", "({{3 * SHADE_W{1'b1}}, phong_weight})"),
         # The row of another object; what is told of a light at the point.
