@@ -224,3 +224,26 @@ async def light_of_a_single_bit_casts_a_shadow_ray(dut: Any) -> None:
     wrong = np.flatnonzero(~all_lanes(got["shadow_light"] == weight))
     if wrong.size:
         raise Mismatch(f"no shadow ray with the light of weights {weight[:, wrong].T.tolist()}")
+
+
+@cocotb.test()
+async def a_weight_of_one_leaves_ambient_and_background_as_they_are(dut: Any) -> None:
+    """Exactly, however bright: none, all bits of a colour, uniform ones."""
+    bench, run = await create(dut)
+    p, fmts = run.parameters, selected(run.parameters)
+    uniform = run.generator(1 << 18).integers(0, fmts.coeff.max, (6, 3, 1), endpoint=True)
+    drop = fmts.shade.frac_bits - fmts.coeff.frac_bits
+    for seed, background in enumerate((0 * uniform[0], 0 * uniform[0] + fmts.coeff.max, *uniform)):
+        frame = replace(drawn_frame(np.random.default_rng(seed), p), background=background)
+        await bench.load(frame.materials, frame.settings(p))
+        steps = drawn_steps(run.generator(seed), 8, p)
+        one = {
+            "hit": np.arange(8) & 1,
+            "first": 0 * steps["first"] + 1,
+            "weight": 0 * steps["weight"] + fmts.shade.one,
+        }
+        steps = {**steps, **one}
+        got = await run_steps(bench, frame, steps)
+        exact = np.where(one["hit"], frame.materials.ambient[:, steps["own"]], background << drop)
+        if not np.array_equal(got["shadow_base"] + got["direct_base"], exact):
+            raise Mismatch(f"a base that its weight of 1 changes, background {background.ravel().tolist()}")

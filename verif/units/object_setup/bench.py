@@ -269,6 +269,38 @@ async def triangles_of_every_orientation_have_the_exact_product(dut: Any) -> Non
                 await bench.run(Frame(BLACK, (), held[first:][: bench.most[1]], 1))
 
 
+def _of_one_bit(axis: int, bit: int) -> Triangle:
+    """A triangle whose product is this bit of one component, all else of it 0."""
+    half = BOOK.width - 1
+    short = min(bit, half)
+    # Of the longest edges the product of two is too long or too short, and a second product mends it.
+    long = bit > 2 * half
+    first = (2 * (1 << half) - 1, 1) if long else (1 << short, 0)
+    second = ((1 << half) - 1, (1 << half) + 1) if long else (0, 1 << bit - short)
+    corner = [BOOK.min] * 3
+
+    def place(edge: tuple[int, int]) -> Vec3:
+        moved = list(corner)
+        for turn, reach in enumerate(edge, 1):
+            moved[(axis + turn) % 3] += reach
+        return _clamped(moved)
+
+    return Triangle(Material(BLACK, BLACK, BLACK), (_clamped(corner), place(first), place(second)))
+
+
+@cocotb.test()
+async def areas_of_a_single_bit_are_no_degenerate_triangles(dut: Any) -> None:
+    """Each bit of each component of the product alone, to the longest that the coordinates' range holds."""
+    bench = await ObjectSetupBench.create(dut)
+    held = []
+    for axis, bit in product(range(3), range(2 * BOOK.width)):
+        made = _of_one_bit(axis, bit)
+        same("product", [1 << bit if lane == axis else 0 for lane in range(3)], list(cross(made)))
+        held.append(made)
+    for first in range(0, len(held), bench.most[1]):
+        await bench.run(Frame(BLACK, (), tuple(held[first:][: bench.most[1]]), 1))
+
+
 @cocotb.test()
 async def rows_are_those_of_the_model(dut: Any) -> None:
     """The model of the set-up, which the model of the core uses, against the same rows."""
