@@ -384,6 +384,17 @@ async def start_before_done_is_ignored(dut: Any) -> None:
 
 
 @cocotb.test()
+async def spheres_at_once_behind_triangles_have_their_own_inverse(dut: Any) -> None:
+    """Of another frame, sooner than the divider, had it begun with a triangle, would be free."""
+    bench = await ObjectSetupBench.create(dut)
+    dull = Material(BLACK, BLACK, BLACK)
+    triangle = Triangle(dull, ((0, 0, 0), (9, 1, 0), (0, 8, 2)))
+    for radius in range(1, RADIUS.max + 1):
+        await bench.run(Frame(BLACK, (), (triangle,), 1))
+        await bench.run(Frame(BLACK, (Sphere(dull, (0, 0, 0), radius),), (), 1))
+
+
+@cocotb.test()
 async def reset_abandons_a_set_up_and_the_next_one_is_exact(dut: Any) -> None:
     """Reset at a drawn clock of the work: no row and no done comes of it."""
     bench = await ObjectSetupBench.create(dut)

@@ -32,6 +32,8 @@ UNIT = Unit(
             "wire glass = k_transparency[0+:COEFF_W] != 0;",
         ),
         Break(_FILE, "else done_reg <= frame_ends;", "else done_reg <= frame_ends && object_reg != 0;"),
+        Break(_FILE, "state_reg == S_START && !is_triangle_reg", "state_reg == S_START"),
+        Break(_FILE, "state_reg == S_IDLE && start;", "start;"),
         Break(_FILE, "if (rst) state_reg <= S_IDLE;", "if (1'b0) state_reg <= S_IDLE;"),
     ),
 )
