@@ -238,8 +238,9 @@ module trace_unit #(
         .dimmed(dimmed)
     );
 
+    // Between rays these are anything: the first test of a ray begins anew.
     always @(posedge clk) begin
-        if (found_valid && !found_shadow) begin
+        if (!found_shadow) begin
             any_hit_reg <= meets || so_far;
             if (nearer || found_first)
                 nearest_reg <= {found_index, found_glass, found_leaving, found_distance,
@@ -247,7 +248,7 @@ module trace_unit #(
         end
     end
 
-    always @(posedge clk) if (found_valid && found_shadow) light_reg <= meets ? dimmed : light;
+    always @(posedge clk) if (found_shadow) light_reg <= meets ? dimmed : light;
 
     always @(posedge clk) begin
         if (rst) begin
@@ -261,9 +262,10 @@ module trace_unit #(
 
     // ------------------------------------------------ what waits for its result, and the results
     // Places are taken when a ray starts, and free again when its result has left, so that the
-    // queue of results, as long, has room for each.
+    // queue of results, as long, has room for each. What waits is there before its result, which
+    // alone says that both are.
     wire hit_side_ready;
-    wire hit_side_valid;
+    wire unused_hit_side_valid;
     wire [SIDE_W+LINE_W-1:0] hit_side;
     wire hit_found_valid;
     wire [FOUND_W:0] hit_found;
@@ -281,7 +283,7 @@ module trace_unit #(
         .in_valid (ray_valid),
         .in_ready (hit_side_ready),
         .in_data  ({ray_side, ray_line}),
-        .out_valid(hit_side_valid),
+        .out_valid(unused_hit_side_valid),
         .out_ready(hit_taken),
         .out_data (hit_side),
         .room     (unused_hit_side_room)
@@ -302,11 +304,11 @@ module trace_unit #(
         .room     (unused_hit_room)
     );
 
-    assign hit_valid = hit_side_valid && hit_found_valid;
+    assign hit_valid = hit_found_valid;
     assign hit       = {hit_side, hit_found};
 
     wire term_side_ready;
-    wire term_side_valid;
+    wire unused_term_side_valid;
     wire [SLOT_W-1:0] term_slot;
     wire [3*SHADE_W-1:0] term_base;
     wire term_light_valid;
@@ -325,7 +327,7 @@ module trace_unit #(
         .in_valid (shadow_valid),
         .in_ready (term_side_ready),
         .in_data  ({shadow_slot, shadow_base}),
-        .out_valid(term_side_valid),
+        .out_valid(unused_term_side_valid),
         .out_ready(term_taken),
         .out_data ({term_slot, term_base}),
         .room     (unused_term_side_room)
@@ -356,7 +358,7 @@ module trace_unit #(
         end
     endgenerate
 
-    assign term_valid  = term_side_valid && term_light_valid;
+    assign term_valid  = term_light_valid;
     assign term        = {term_slot, sum};
     assign ray_free    = loadable && hit_side_ready;
     assign shadow_free = loadable && term_side_ready;

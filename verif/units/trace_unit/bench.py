@@ -290,8 +290,17 @@ def _lines(p: Parameters, own: Sequence[int], origin: Vec3, direction: Vec3) -> 
 
 
 _FACING: tuple[Vec3, Vec3, Vec3] = ((-4096, -4096, 0), (4096, -4096, 0), (0, 4096, 0))
+_DEEPEST = 1 << 15
+"""In steps of a coordinate."""
+_DEPTHS = 40
 _HALF: Vec3 = (512, 512, 512)
 _AHEAD: tuple[Vec3, Vec3] = ((0, 0, -4), (0, 0, 1))
+
+
+def _at_depth(depth: int) -> tuple[Vec3, Vec3, Vec3]:
+    """The triangle that faces the ray, moved along it."""
+    a, b, c = ((x, y, depth) for x, y, _ in _FACING)
+    return a, b, c
 
 
 @cocotb.test()
@@ -317,6 +326,23 @@ async def of_equal_distances_the_lowest_number_is_found_but_never_a_rays_own(dut
             light = split(unit.term(run.parameters), [job.result])["sum"][:, 0].tolist()
             same(f"light behind {passed} triangles", [fmts.shade.one >> passed] * 3, light)
         await bench.frame(table, [job for pair in zip(rays, shadows, strict=True) for job in pair])
+
+
+@cocotb.test()
+async def of_distances_a_step_apart_the_one_that_the_model_finds_is_found(dut: Any) -> None:
+    """Two triangles across the ray whose depths are neighbours, in either order; the nearer, but where the
+    distances are rounded to the same."""
+    bench, run = await _bench(dut)
+    generator, nearer = run.generator(6), 0
+    for depth in generator.integers(_FACING[1][0], _DEEPEST, _DEPTHS).tolist():
+        for depths in ((depth, depth + 1), (depth + 1, depth)):
+            triangles = [Triangle(material(_HALF), _at_depth(it)) for it in depths]
+            table = Table(scene((), triangles), run.parameters)
+            jobs = table.jobs(_lines(run.parameters, [MISS], BLACK, (0, 0, 1)), [False], generator)
+            hit = split(unit.hit(run.parameters), [jobs[0].result])
+            nearer += depths[int(hit["number"][0])] == depth
+            await bench.frame(table, jobs)
+    assert nearer > _DEPTHS, f"the nearer of {2 * _DEPTHS} pairs was found {nearer} times"
 
 
 @cocotb.test()
