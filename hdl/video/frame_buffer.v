@@ -68,6 +68,8 @@ module frame_buffer #(
     localparam BLUE_W = DEPTH_BITS / 3;
     localparam [SIZE_W-1:0] MOST_X = WIDTH[SIZE_W-1:0];
     localparam [SIZE_W-1:0] MOST_Y = HEIGHT[SIZE_W-1:0];
+    localparam STORED_X_W = $clog2(WIDTH + 1);
+    localparam STORED_Y_W = $clog2(HEIGHT + 1);
     localparam [ADDRESS_W-1:0] ROW = WIDTH[ADDRESS_W-1:0];
 
     generate
@@ -160,8 +162,9 @@ module frame_buffer #(
         };
     end
 
-    reg [SIZE_W-1:0] full_width_reg;
-    reg [SIZE_W-1:0] full_height_reg;
+    // What is stored needs no more bits than the largest of it.
+    reg [STORED_X_W-1:0] full_width_reg;
+    reg [STORED_Y_W-1:0] full_height_reg;
 
     always @(posedge clk) begin
         if (restart) full_reg <= 1'b0;
@@ -170,8 +173,8 @@ module frame_buffer #(
 
     always @(posedge clk) begin
         if (ended_reg) begin
-            full_width_reg  <= width_reg < MOST_X ? width_reg : MOST_X;
-            full_height_reg <= height_reg < MOST_Y ? height_reg : MOST_Y;
+            full_width_reg  <= width_reg < MOST_X ? width_reg[STORED_X_W-1:0] : MOST_X[STORED_X_W-1:0];
+            full_height_reg <= height_reg < MOST_Y ? height_reg[STORED_Y_W-1:0] : MOST_Y[STORED_Y_W-1:0];
         end
     end
 
@@ -184,14 +187,14 @@ module frame_buffer #(
         .out(full)
     );
 
-    reg [SIZE_W-1:0] shown_width_reg;
-    reg [SIZE_W-1:0] shown_height_reg;
+    reg [STORED_X_W-1:0] shown_width_reg;
+    reg [STORED_Y_W-1:0] shown_height_reg;
 
     always @(posedge pixel_clk) begin
         if (pixel_rst) begin
             shown_reg        <= 1'b0;
-            shown_width_reg  <= {SIZE_W{1'b0}};
-            shown_height_reg <= {SIZE_W{1'b0}};
+            shown_width_reg  <= {STORED_X_W{1'b0}};
+            shown_height_reg <= {STORED_Y_W{1'b0}};
         end else if (swap && full != shown_reg) begin
             shown_reg        <= full;
             shown_width_reg  <= full_width_reg;
@@ -199,8 +202,8 @@ module frame_buffer #(
         end
     end
 
-    assign shown_width  = shown_width_reg;
-    assign shown_height = shown_height_reg;
+    assign shown_width  = {{SIZE_W - STORED_X_W{1'b0}}, shown_width_reg};
+    assign shown_height = {{SIZE_W - STORED_Y_W{1'b0}}, shown_height_reg};
 
     // ------------------------------------------------------------------------ the buffers
     wire [2*DEPTH_BITS-1:0] colours;

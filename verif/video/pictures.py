@@ -17,6 +17,8 @@ from verif.env.streams import Naming, Stream, Transaction
 SIZE_W = 12
 LARGEST = (1 << SIZE_W) - 1
 """Width or height of a picture."""
+_TILE = 61
+"""Pixels after which a painted picture repeats: no power of two, so that an address too large is seen."""
 Word = tuple[int, int, int, int, int]
 """tdata, tuser, tlast, and the ports width and height in the same clock."""
 
@@ -79,20 +81,26 @@ def extremes(store: Store) -> list[Shot]:
     return [Shot(store.width, store.height), *small, Shot(LARGEST, 1), Shot(1, LARGEST)]
 
 
+def powers() -> list[Shot]:
+    """Lines and columns that need one bit of their size alone, each of those bits."""
+    sides = [1 << bit for bit in range(1, SIZE_W)]
+    return [Shot(*size) for side in sides for size in ((side, 1), (1, side))]
+
+
 class Painter:
     """Pictures of which any two differ in each pixel, also in what a store keeps of them."""
 
     def __init__(self, generator: Generator, store: Store) -> None:
         self._generator, self._store = generator, store
         self._most = 1 << store.depth_bits
-        self._base: NDArray[np.int64] = generator.integers(0, self._most, (64, 64))
+        self._base: NDArray[np.int64] = generator.integers(0, self._most, (_TILE, _TILE))
         self._step = int(generator.integers(0, self._most)) | 1
         self._painted = 0
 
     def paint(self, width: int, height: int) -> Rgb:
         """The next picture: its own step from the others in each code, and noise in the bits not kept."""
         self._painted += 1
-        rows, columns = np.arange(height) % 64, np.arange(width) % 64
+        rows, columns = np.arange(height) % _TILE, np.arange(width) % _TILE
         codes = self._base[np.ix_(rows, columns)] + self._step * self._painted
         picture = self._store.colours((codes % self._most).astype(np.uint32))
         noise = self._generator.integers(0, 256, picture.shape, dtype=np.uint8)

@@ -72,11 +72,12 @@ class Sender:
                 whole.append(picture)
         return whole
 
-    async def send_rest(self, number: int) -> None:
-        """Queues words of a picture whose beginning nobody knows."""
+    async def send_rest(self, number: int, *, last: bool = False) -> None:
+        """Queues words of a picture whose beginning nobody knows. last: each is said to end a line."""
         await self._clocking.edge
         high = [1 << 24, 1, 2, 1 << SIZE_W, 1 << SIZE_W]
         drawn = self._generator.integers(0, np.array(high), (number, len(high)))
+        drawn[:, 2] |= last
         self._source.send_words(map(tuple, drawn.tolist()))
         self.queued += number
 

@@ -16,6 +16,7 @@ from verif.units.axil_registers.driver import (
     ALL,
     CODE_W,
     PAUSES,
+    WORD_W,
     Action,
     Read,
     RegistersBench,
@@ -43,11 +44,12 @@ async def no_output_is_unknown_before_any_reset(dut: Any) -> None:
 
 @cocotb.test()
 async def every_register_has_the_value_and_the_access_of_the_map(dut: Any) -> None:
-    """Values after reset; then words of all kinds: rw keeps what it can, wo holds nothing, ro refuses all."""
+    """Values after reset; then words of all kinds, each bit alone too: rw keeps what it can, wo holds
+    nothing, ro refuses all."""
     bench, _ = await RegistersBench.create(dut)
     expected = {name: register.reset(bench.build) for name, register in REGISTERS.items()}
     same("values after reset", expected, await bench.sweep())
-    for word in (ALL, 0, *(bench.word() for _ in range(40))):
+    for word in (ALL, 0, *(1 << bit for bit in range(WORD_W)), *(bench.word() for _ in range(8))):
         for name, register in REGISTERS.items():
             # A start or a reset would be seen elsewhere than in CONTROL.
             data = word & ~sum(field.mask for field in register.fields if field.access is Access.WO)

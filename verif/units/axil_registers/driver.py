@@ -16,8 +16,8 @@ from verif.env.pipelined import Mismatch
 from verif.units.axil_registers.model import CORE, COUNTERS, EVENTS, PULSES, Clock, RegisterModel
 
 ADDRESSES = 1 << 8
-_WORD_W = 8 * WORD_BYTES
-ALL = (1 << _WORD_W) - 1
+WORD_W = 8 * WORD_BYTES
+ALL = (1 << WORD_W) - 1
 _BUS = ("awvalid", "awaddr", "wvalid", "wdata", "wstrb", "bready", "arvalid", "araddr", "rready")
 CODE_W = REGISTERS["ERROR"].field("code").width
 
@@ -238,7 +238,7 @@ class RegistersBench(Block):
 
     def word(self) -> int:
         """Any word: mostly of few bits, so that numbers are near what the registers can hold."""
-        return int(self.generator.integers(0, 1 << int(self.generator.integers(1, _WORD_W + 1))))
+        return int(self.generator.integers(0, 1 << int(self.generator.integers(1, WORD_W + 1))))
 
 
 def actions(resets: bool) -> st.SearchStrategy[list[Action]]:

@@ -13,7 +13,7 @@ from verif.env.block import holds, same
 from verif.env.pipelined import Mismatch
 from verif.video.clocks import PIXEL_PS, Clocks, Ratio, ratios
 from verif.video.modes import store_of
-from verif.video.pictures import Shot, extremes, shots
+from verif.video.pictures import LARGEST, Shot, extremes, powers, shots
 from verif.video.seen import watch
 from verif.video.sender import Sender
 
@@ -105,8 +105,9 @@ class BufferBench:
 
     async def look(self) -> int:
         """Reads the picture shown: it is the same as before, or the next one. Its number."""
-        codes = await self._read()
+        # What becomes complete while it is read cannot be what is shown.
         expected = self._stored(self.shown + 1), self._stored(self.shown)
+        codes = await self._read()
         if expected[0] is not None and np.array_equal(codes, expected[0]):
             self.shown += 1
             self._told("the_next_picture")
@@ -169,9 +170,9 @@ async def every_whole_picture_is_shown_in_its_turn_and_nothing_else(dut: Any) ->
 
 @cocotb.test()
 async def the_longest_line_and_column_are_cut_and_the_smallest_pictures_are_not(dut: Any) -> None:
-    """Sizes that need all their bits, behind pictures of one to three pixels a side."""
+    """Sizes that need all their bits, or one alone, behind pictures of one to three pixels a side."""
     bench = BufferBench(dut)
-    sent = extremes(bench.store)
+    sent = [*extremes(bench.store), *powers()]
     await bench.restart(Ratio(PIXEL_PS // 2))
     await bench.sender.send(sent)
     await bench.watch()
@@ -219,6 +220,34 @@ async def a_swap_without_a_complete_picture_changes_nothing(dut: Any) -> None:
         same("shown in the end", 1, bench.shown)
 
     await holds(bench.run, example, ratios(), st.integers(1, pixels - 1), st.integers(1, 6), cost=2)
+
+
+@cocotb.test()
+async def behind_a_whole_picture_all_is_dropped_up_to_the_next(dut: Any) -> None:
+    """More lines of one pixel, which nothing begins, than rows can be counted."""
+    bench = BufferBench(dut)
+    await bench.restart(Ratio(PIXEL_PS // 2))
+    await bench.sender.send([Shot(1, 1)])
+    await bench.sender.send_rest(LARGEST + 5, last=True)
+    await bench.sender.send([bench.full])
+    await bench.watch()
+    same("pictures", 2, len(bench.sender.assembler.pictures))
+
+
+@cocotb.test()
+async def reset_of_either_side_takes_no_pixel(dut: Any) -> None:
+    """A picture that is offered meanwhile waits, and then is whole."""
+    bench = BufferBench(dut)
+    for reset in (bench.clocks.core_reset, bench.clocks.pixel_reset):
+        await bench.restart(Ratio(PIXEL_PS // 2))
+        running = cocotb.start_soon(reset(2 * _CROSSING))
+        # The screen's reset has to get to the core's clock.
+        await bench.clocks.core.cycles(_CROSSING)
+        await bench.sender.send([bench.full])
+        await running
+        same("pixels taken", 0, bench.sender.assembler.taken)
+        await bench.watch()
+        same("pictures", 1, len(bench.sender.assembler.pictures))
 
 
 @cocotb.test()

@@ -44,6 +44,6 @@ UNIT = Unit(
         Break("video/frame_buffer.v", "wire [SIZE_W-1:0] x = first ?", "wire [SIZE_W-1:0] x = 1'b0 ?"),
         Break("video/frame_buffer.v", "write_reg && full_reg != SECOND", "write_reg && full_reg == SECOND"),
         Break("video/frame_buffer.v", "if (restart) full_reg <= 1'b0;", "if (1'b0) full_reg <= 1'b0;"),
-        Break("video/frame_buffer.v", "width_reg < MOST_X ? width_reg : MOST_X", "width_reg"),
+        Break("video/frame_buffer.v", "width_reg < MOST_X ? width_reg[", "1'b1 ? width_reg["),
     ),
 )
