@@ -235,6 +235,24 @@ async def behind_a_whole_picture_all_is_dropped_up_to_the_next(dut: Any) -> None
 
 
 @cocotb.test()
+async def the_rest_of_a_picture_that_reset_cuts_is_dropped(dut: Any) -> None:
+    """Two lines of four, reset, then lines enough to make it whole."""
+    bench = BufferBench(dut)
+    await bench.restart(Ratio(PIXEL_PS // 2))
+    await bench.sender.send([Shot(1, 4, cut=2)])
+    await bench.sending(2)
+    bench.sender.stop()
+    # An edge of this clock may be at this very moment.
+    await bench.clocks.core_reset(2)
+    bench.sender.drop()
+    bench.sender.start()
+    await bench.sender.send_rest(5, last=True)
+    await bench.sender.send([bench.full])
+    await bench.watch()
+    same("pictures", 1, len(bench.sender.assembler.pictures))
+
+
+@cocotb.test()
 async def reset_of_either_side_takes_no_pixel(dut: Any) -> None:
     """A picture that is offered meanwhile waits, and then is whole."""
     bench = BufferBench(dut)
