@@ -64,7 +64,7 @@ def _unit(name: str) -> Design:
 
 
 def _core() -> Design:
-    builds = {"one": cases.ONE, "default": cases.DEFAULT}
+    builds = {"one": cases.ONE, "default": cases.DEFAULT, "wide": cases.WIDE}
 
     def play(parameter_set: str, seed: int, known: Sequence[str], extra: Mapping[str, Any]) -> Outcome:
         case = cases.Case("closing", builds[parameter_set])
