@@ -9,6 +9,7 @@ from regressions.record import Bin, Curve, Point, Record, Unit
 from regressions.sections.notes import noted, older
 from verif.coverage import close, designs
 from verif.coverage.exclusions import ExclusionError, of_unit
+from verif.env import sources
 from verif.env.coverage import database
 
 By = dict[str, dict[str, int]]
@@ -21,14 +22,17 @@ def added(record: Record, root: Path) -> Record:
     units, notes = [], []
     for name in designs.names():
         try:
-            units.append(_unit(name, hits.pop(name, {})))
+            covered, stale = unit(designs.find(name), hits.pop(name, {}))
         except ExclusionError as error:
-            notes.append(str(error))
+            notes.append(str(error).replace(f"{sources.ROOT}/", ""))
+            continue
+        units.append(covered)
+        notes += stale
     notes += [f"{name}: runs sampled it, and no design is called so" for name in hits]
     closed = sorted(close.FOLDER.glob("*.json"))
     notes += older(record, closed, "closure")
     curves = tuple(curve for path in closed for curve in _curves(close.read(path)))
-    found = replace(record, coverage=tuple(unit for unit in units if unit.points), curves=curves)
+    found = replace(record, coverage=tuple(one for one in units if one.points), curves=curves)
     return noted(found, notes)
 
 
@@ -49,13 +53,17 @@ def _hits(record: Record, root: Path) -> dict[str, By]:
     return found
 
 
-def _unit(name: str, hits: Mapping[str, Mapping[str, int]]) -> Unit:
-    """Raises ExclusionError where an exclusion is stale or was hit."""
-    design = designs.find(name)
+def unit(design: designs.Design, hits: Mapping[str, Mapping[str, int]]) -> tuple[Unit, list[str]]:
+    """Bins with their hits, and a note on each that is excluded and was hit all the same: it counts as hit.
+
+    Raises ExclusionError where an exclusion does not hold by itself.
+    """
     bins = dict(design.coverage.bins())
     excluded = {entry.what: entry.reason for entry in of_unit(design.exclusions, bins)}
-    for bin_name in sorted(excluded.keys() & hits.keys()):
-        raise ExclusionError(f"{design.exclusions}: {bin_name} was hit; take the exclusion out")
+    stale = sorted(excluded.keys() & hits.keys())
+    for bin_name in stale:
+        del excluded[bin_name]
+    notes = [f"{design.name}: {one} was hit; take it out of its {design.exclusions.name}" for one in stale]
     points = []
     for point in design.coverage.points:
         rows = []
@@ -65,7 +73,7 @@ def _unit(name: str, hits: Mapping[str, Mapping[str, int]]) -> Unit:
             reason = excluded.get(full, "")
             rows.append(Bin(found.name, sum(by.values()), found.recipe.name, reason, by))
         points.append(Point(point.name, point.doc, tuple(rows)))
-    return Unit(name, tuple(points))
+    return Unit(design.name, tuple(points)), notes
 
 
 def _curves(closed: close.Closed) -> Iterator[Curve]:
