@@ -78,7 +78,7 @@ UNIT = Unit(
     parameters={"OBJECTS": 18, "OBJECT_W": 5, "SLOT_W": 9, "SIDE_W": 75, "ROOM": 64},
     sets={
         "small": {
-            "OBJECTS": 3,
+            "OBJECTS": 4,
             "OBJECT_W": 2,
             "SLOT_W": 4,
             "SIDE_W": 24,
