@@ -116,7 +116,8 @@ module camera #(
     wire issue = multiplying && issue_reg != 3'd6;
     wire collect_valid;
     wire [2:0] collect;
-    wire collected = collect_valid && collect == 3'd5;
+    // Of 0 to 5 the last one alone has both bits.
+    wire collected = collect_valid && collect[2] && collect[0];
 
     always @(posedge clk) begin
         if (!multiplying) issue_reg <= 3'd0;
@@ -218,7 +219,8 @@ module camera #(
         .p        (product)
     );
 
-    // Cross products gather by shifting components in from the right, x first.
+    // Cross products gather by shifting components in from the right, x first. What the spans leave
+    // there is not used.
     reg [PRODUCT_W-1:0] minuend_reg;
     wire [PRODUCT_W:0] component =
         {minuend_reg[PRODUCT_W-1], minuend_reg} - {product[PRODUCT_W-1], product};
@@ -238,7 +240,7 @@ module camera #(
 
     always @(posedge clk) begin
         if (collect_valid) minuend_reg <= product;
-        if (collect_valid && state_reg != S_SPANS && collect[0])
+        if (collect_valid && collect[0])
             product_reg <= {product_reg[2*WIDE_W-1:0], component_wide};
     end
 
@@ -276,7 +278,7 @@ module camera #(
     end
 
     always @(posedge clk) begin
-        if (rst || state_reg != S_DIVIDE) begin
+        if (state_reg != S_DIVIDE) begin
             divided_reg <= 3'd0;
             asked_reg   <= 1'b0;
         end else if (quotient_valid) begin

@@ -2,7 +2,8 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from itertools import product
+from typing import Any, cast
 
 import cocotb
 import numpy as np
@@ -248,6 +249,26 @@ async def an_eye_at_the_center_of_interest_sees_nothing(dut: Any) -> None:
         beside = (x, y - 1, z)
         same("refused", Fault.CAMERA_POSITION, await bench.run(Camera(place, (0, 0, 1), place), size))
         same("drawn", Fault.NONE, await bench.run(Camera(place, (0, 0, 1), beside), size))
+
+
+@cocotb.test()
+async def one_bit_of_a_size_or_of_a_view_is_enough(dut: Any) -> None:
+    """Sizes that are powers of two, and views along an axis of a power of two: none of them is a fault."""
+    bench = await CameraBench.create(dut)
+    tangent, coord = _FORMATS.tan.one, _FORMATS.coord
+    for bit in range(_SIZE_W):
+        for size in (
+            Registers(1 << bit, LARGEST, tangent, tangent),
+            Registers(1, 1 << bit, tangent, tangent),
+        ):
+            same(f"{size}", Fault.NONE, await bench.run(Camera((0, 0, 0), (0, 0, 1), (0, 1, 0)), size))
+    for axis, bit in product(range(3), range(coord.width)):
+        position, center = np.zeros((2, 3), dtype=int)
+        half = (1 << bit) // 2
+        position[axis], center[axis] = -half, (1 << bit) - half
+        up = np.roll((1, 0, 0), axis + 1)
+        drawn = Camera(*(cast(Vec3, tuple(place.tolist())) for place in (position, up, center)))
+        same(f"{drawn}", Fault.NONE, await bench.run(drawn, Registers(3, 2, tangent, tangent)))
 
 
 @cocotb.test()
