@@ -226,9 +226,13 @@ module trace_unit #(
     reg nearest_done_reg;
     reg light_done_reg;
 
+    // A ray is hit before infinity, so that a distance has no other bits.
     localparam DISTANCE_LOW = 3 * `RT_OFFSET_W + `RT_HALF_CHORD_W;
+    localparam DISTANCE_W = $clog2(`RT_INFINITY);
+    wire [DISTANCE_W-1:0] distance = found_distance[DISTANCE_W-1:0];
+    wire [DISTANCE_W-1:0] nearest_distance = nearest_reg[DISTANCE_LOW+:DISTANCE_W];
     wire so_far = any_hit_reg && !found_first;
-    wire nearer = meets && (!so_far || found_distance < nearest_reg[DISTANCE_LOW+:POINT_W]);
+    wire nearer = meets && (!so_far || distance < nearest_distance);
     wire [3*SHADE_W-1:0] light = found_first ? found_colour : light_reg;
     wire [3*SHADE_W-1:0] dimmed;
 

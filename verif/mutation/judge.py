@@ -24,12 +24,17 @@ class JudgeError(RuntimeError):
 
 @dataclass(frozen=True)
 class NetlistBuild(Build):
-    """A build of a netlist that stands for itself: it needs none of the design's files."""
+    """A build of a netlist that stands for itself: it needs none of the design's files.
+
+    beside: the modules that it only names.
+    """
+
+    beside: tuple[Path, ...] = ()
 
     @property
     def files(self) -> tuple[Path, ...]:
-        """None: all is in the harness."""
-        return ()
+        """All else is in the harness."""
+        return self.beside
 
 
 @dataclass(frozen=True)
@@ -58,6 +63,7 @@ def build(unit: Unit, parameter_set: str, mutated: Netlist) -> Build:
         harness=mutated.verilog,
         control=f"`verilator_config\n{ports}\n",
         label=f"{unit.name}-mutants",
+        beside=mutated.beside,
     )
 
 

@@ -9,7 +9,7 @@ import re
 import shlex
 import subprocess
 import sys
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -50,12 +50,14 @@ class NetlistError(RuntimeError):
 @dataclass(frozen=True)
 class Netlist:
     """A mutated unit. top: module's name; visible: nets that the bench may use; mutants: by number, from 1;
-    folder: what yosys wrote, among it `netlist.v`, and `netlist.il` for the solver."""
+    folder: what yosys wrote, among it `netlist.v`, and `netlist.il` for the solver; beside: files of modules
+    that the netlist only names."""
 
     top: str
     visible: tuple[str, ...]
     mutants: tuple[Mutant, ...]
     folder: Path
+    beside: tuple[Path, ...] = ()
 
     @property
     def verilog(self) -> str:
@@ -89,13 +91,17 @@ def _design(unit: Unit) -> tuple[Path, ...]:
     return tuple(path for path in sources.closure(unit.module) if path.is_relative_to(sources.HDL))
 
 
-def make(unit: Unit, parameter_set: str, wanted: int, seed: int) -> Netlist:
-    """The netlist with about ``wanted`` mutants, fewer only where there are no more places. Raises
-    NetlistError."""
+def make(unit: Unit, parameter_set: str, wanted: int, seed: int, beside: tuple[Path, ...] = ()) -> Netlist:
+    """The netlist with about ``wanted`` mutants, fewer only where there are no more places.
+
+    beside: files of modules that only watch, one of its name each, which yosys need not read.
+
+    Raises NetlistError.
+    """
     build = units.build(unit, Simulator.VERILATOR, unit.parameter_sets()[parameter_set])
     folder = FOLDER / "work" / f"{unit.name}-{parameter_set}-{wanted}-{seed}"
     folder.mkdir(parents=True, exist_ok=True)
-    yosys(folder, "list", _elaborate(build, folder) + _listing(unit, folder, wanted, seed))
+    yosys(folder, "list", _elaborate(build, folder, beside) + _listing(unit, folder, wanted, seed))
     named = _named(unit)
     listed = [(folder / name).read_text().splitlines() for name in _LISTS]
     # Where the unit's own files have too few places, as where it only wires others up, those below serve too.
@@ -122,7 +128,7 @@ def make(unit: Unit, parameter_set: str, wanted: int, seed: int) -> Netlist:
     visible = (*_PORT.findall(text), *sorted((named | below).intersection(_NET.findall(text))))
     texts: dict[Path, list[str]] = {}
     mutants = tuple(_mutant(line, number, texts) for number, line in enumerate(lines, 1))
-    return Netlist(build.top, tuple(dict.fromkeys(visible)), mutants, folder)
+    return Netlist(build.top, tuple(dict.fromkeys(visible)), mutants, folder, beside)
 
 
 def _plainly_named(folder: Path, named: set[str]) -> set[str]:
@@ -145,6 +151,7 @@ def design(mutated: Netlist) -> Design:
         "\n".join(
             [
                 f"read_rtlil {at}/netlist.il",
+                *(f"delete t:{path.stem}" for path in mutated.beside),
                 "memory_map",
                 "opt_clean",
                 "setundef -zero -undriven",
@@ -164,10 +171,10 @@ def design(mutated: Netlist) -> Design:
     return aig.read(folder / "graph.aig", folder / "graph.map")
 
 
-def _elaborate(build: Build, folder: Path) -> str:
+def _elaborate(build: Build, folder: Path, beside: tuple[Path, ...]) -> str:
     """Reads the build's sources as its simulator would."""
     harness = folder / f"{build.top}.v"
-    files = list(build.files)
+    files = [path for path in build.files if path not in beside]
     if build.harness is not None:
         harness.write_text(build.harness)
         files.append(harness)
@@ -177,11 +184,20 @@ def _elaborate(build: Build, folder: Path) -> str:
     return "\n".join(
         [
             f"read_verilog {includes} {macros} {' '.join(sources.relative(files))}",
+            *(f"read_verilog -lib {ports}" for ports in sources.relative(_ports(beside, folder))),
             f"hierarchy -check -top {build.top} {values}",
             f"rename -top {build.top}",
             "",
         ]
     )
+
+
+def _ports(beside: tuple[Path, ...], folder: Path) -> Iterator[Path]:
+    """Files with the ports alone: yosys would look for each function that a body calls."""
+    for path in beside:
+        copy = folder / path.name
+        copy.write_text(path.read_text().partition("\n);\n")[0] + "\n);\nendmodule\n")
+        yield copy
 
 
 def _listing(unit: Unit, folder: Path, wanted: int, seed: int) -> str:

@@ -7,10 +7,11 @@ much. The solver takes out those that are equivalent behind the first of these l
 import hashlib
 import resource
 import tomllib
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from importlib.metadata import version
 from pathlib import Path
+from typing import Any
 
 from verif.env import sources, units
 from verif.env.fields import count, split
@@ -54,13 +55,22 @@ def parameter_set(unit: str) -> str:
     return _setting(unit, "set") or "default"
 
 
+def beside(unit: str) -> tuple[Path, ...]:
+    """Files of a unit's test bench that stay as they are, beside the netlist."""
+    return tuple(sources.ROOT / name for name in _settings_of(unit).get("beside", ()))
+
+
 def skipped(unit: str) -> str:
     """Why a unit's mutants are not judged; empty where they are."""
     return _setting(unit, "skip")
 
 
 def _setting(unit: str, name: str) -> str:
-    return str(tomllib.loads(SETTINGS.read_text()).get(unit, {}).get(name, ""))
+    return str(_settings_of(unit).get(name, ""))
+
+
+def _settings_of(unit: str) -> Mapping[str, Any]:
+    return dict(tomllib.loads(SETTINGS.read_text()).get(unit, {}))
 
 
 def known(plan: Plan) -> Result | None:
@@ -76,7 +86,7 @@ def qualify(plan: Plan, progress: Progress = lambda *_: None) -> Result:
     unit, chosen = units.find(plan.unit), parameter_set(plan.unit)
     before = _processor_seconds()
     progress("netlist", 0, 1)
-    mutated = netlist.make(unit, chosen, plan.mutants, plan.seed)
+    mutated = netlist.make(unit, chosen, plan.mutants, plan.seed, beside(unit.name))
     progress("build", 0, 1)
     session = _judged(plan, unit, mutated, None, _FIRST, plan.seed, progress)
     found = {one.mutant.number: one for one in session.judged}

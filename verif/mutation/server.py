@@ -1,8 +1,9 @@
 """Cocotb module that judges mutants: the simulation forks a child for each, in which a unit's own bench runs.
 
 Start-up and imports are paid once. The first test forks, at simulation time 0; a child sets the port that
-chooses its mutant and goes on to the bench's tests, unchanged and in their order, until one fails. Its exit
-code is what it found. The parent writes `judged.jsonl`, a line a mutant, then `files.json`, and ends.
+chooses its mutant and goes on to the bench's tests, unchanged and in their order, until one fails, in a
+folder of its own. Its exit code is what it found. The parent writes `judged.jsonl`, a line a mutant, then
+`files.json`, and ends.
 
 What it is told (`extra` of the settings): bench: module; select: name of the port; mutants: their numbers;
 jobs: children at a time.
@@ -11,6 +12,7 @@ jobs: children at a time.
 import importlib
 import json
 import os
+import shutil
 import signal
 import sys
 from collections.abc import Iterator
@@ -65,12 +67,13 @@ def _judge_all(names: list[str]) -> int:
     with (run.directory / JUDGED).open("w") as output:
         # The unit itself first and alone: its time is the measure of the others'.
         if not (child := os.fork()):
-            _become_child(limit)
+            _become_child(0, limit)
             return 0
         children[child] = 0
         while children:
             done, status, usage = os.wait4(-1, 0)
             mutant, seconds = children.pop(done), usage.ru_utime + usage.ru_stime
+            shutil.rmtree(_folder(mutant), ignore_errors=True)
             test = _told(status, names)
             line = {"mutant": mutant, "test": test, "seconds": round(seconds, 3)}
             print(json.dumps(line), file=output, flush=True)
@@ -80,14 +83,20 @@ def _judge_all(names: list[str]) -> int:
             while waiting and len(children) < jobs:
                 mutant = waiting.pop(0)
                 if not (child := os.fork()):
-                    _become_child(limit)
+                    _become_child(mutant, limit)
                     return mutant
                 children[child] = mutant
     (run.directory / FILES).write_text(json.dumps(_imported()))
     os._exit(0)
 
 
-def _become_child(limit: float) -> None:
+def _folder(mutant: int) -> Path:
+    return context.read().directory / f"mutant-{mutant}"
+
+
+def _become_child(mutant: int, limit: float) -> None:
+    _folder(mutant).mkdir(exist_ok=True)
+    os.chdir(_folder(mutant))
     silent = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silent, 1)
     os.dup2(silent, 2)

@@ -3,7 +3,7 @@
 import itertools
 from collections import deque
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import cycle
 from typing import Any
 
@@ -23,7 +23,16 @@ from verif.env.fields import split
 from verif.env.pipelined import Mismatch
 from verif.env.unit import Parameters
 from verif.units.trace_unit import unit
-from verif.units.trace_unit.frames import Job, Lines, Table, drawn_lines, drawn_table, material, scene
+from verif.units.trace_unit.frames import (
+    Job,
+    Lines,
+    Table,
+    drawn_lines,
+    drawn_table,
+    material,
+    scene,
+    vector,
+)
 
 _PART = 60
 """Rays of the long run with one table and one manner."""
@@ -176,9 +185,10 @@ class TraceBench(Block):
         number of rays that have started."""
         waits, hits, terms = cycle(manners.waits), cycle((*manners.hits, True)), cycle((*manners.terms, True))
         started, wait = 0, next(waits)
-        limit = sum(len(job.tests) + manners.clocks for job in jobs) + 2 * LATENCY["trace_unit"](
-            self.parameters
-        )
+        # Where there is no room, a ray waits for one that has just started.
+        turns = 2 + len(jobs) // self.parameters["ROOM"]
+        limit = sum(len(job.tests) + manners.clocks for job in jobs)
+        limit += turns * LATENCY["trace_unit"](self.parameters)
         for _ in range(limit if most is None else most):
             if started == len(jobs):
                 return started
@@ -343,6 +353,37 @@ async def of_distances_a_step_apart_the_one_that_the_model_finds_is_found(dut: A
             nearer += depths[int(hit["number"][0])] == depth
             await bench.frame(table, jobs)
     assert nearer > _DEPTHS, f"the nearer of {2 * _DEPTHS} pairs was found {nearer} times"
+
+
+_GRID = 6
+"""Corners and rays are up to so many steps of a coordinate from an axis."""
+_ACROSS = 8
+"""Triangles across each axis."""
+
+
+def _along(axis: int, p: Parameters) -> Lines:
+    """Rays along an axis, one at each step around it."""
+    fmts = selected(p)
+    beside = np.stack(np.meshgrid(*[np.arange(-_GRID, _GRID + 1)] * 2)).reshape(2, -1)
+    lines = _lines(p, [MISS] * beside.shape[1], *_AHEAD)
+    lines.origin[:2] = beside * (fmts.point.one // fmts.coord.one)
+    origin, direction = (np.roll(it, axis, axis=0) for it in (lines.origin, lines.direction))
+    return replace(lines, origin=origin, direction=direction)
+
+
+@cocotb.test()
+async def a_step_of_any_corner_decides_which_rays_meet_a_triangle(dut: Any) -> None:
+    """Triangles of few steps across each axis, of any transparency, and a ray along it at every step."""
+    bench, run = await _bench(dut)
+    generator = run.generator(7)
+    for axis in [0, 1, 2] * _ACROSS:
+        corners = np.zeros((3, 3), dtype=np.int64)
+        corners[:2] = generator.integers(-_GRID, _GRID, (2, 3), endpoint=True)
+        a, b, c = (vector(corner) for corner in np.roll(corners, axis, axis=0).T)
+        share = vector(generator.integers(0, COLOUR.max, 3, endpoint=True))
+        table = Table(scene((), [Triangle(material(share), (a, b, c))]), run.parameters)
+        lines = _along(axis, run.parameters)
+        await bench.frame(table, table.jobs(lines, [False] * lines.own.size, generator))
 
 
 @cocotb.test()

@@ -167,7 +167,8 @@ def scene(spheres: Sequence[Sphere], triangles: Sequence[Triangle]) -> Scene:
     return Scene(_CAMERA, (), tuple(spheres), tuple(triangles), BLACK, BLACK)
 
 
-def _vector(values: Raw) -> Vec3:
+def vector(values: Raw) -> Vec3:
+    """Three numbers."""
     x, y, z = values.tolist()
     return x, y, z
 
@@ -197,7 +198,7 @@ def drawn_table(generator: Generator, spheres: int, triangles: int, p: Parameter
 
 
 def _place(generator: Generator) -> Vec3:
-    return _vector(np.rint(generator.uniform(-_REACH, _REACH, 3) * BOOK.one).astype(np.int64))
+    return vector(np.rint(generator.uniform(-_REACH, _REACH, 3) * BOOK.one).astype(np.int64))
 
 
 def _any_material(generator: Generator) -> Material:
@@ -205,7 +206,7 @@ def _any_material(generator: Generator) -> Material:
     large = generator.integers(0, COLOUR.max, 3, endpoint=True)
     one_channel = usual * np.eye(3, dtype=np.int64)[generator.integers(3)]
     choices = [np.zeros_like(usual), usual, np.full_like(usual, COLOUR.one), one_channel, large]
-    return material(_vector(choices[generator.integers(len(choices))]))
+    return material(vector(choices[generator.integers(len(choices))]))
 
 
 def drawn_lines(generator: Generator, table: Table, size: int, p: Parameters) -> Lines:

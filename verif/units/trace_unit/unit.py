@@ -97,7 +97,7 @@ UNIT = Unit(
         Break(_FILE, "wire blank = test_void_reg || row_dead;", "wire blank = test_void_reg;"),
         Break(_FILE, "if (rst) busy_reg <= 1'b0;", "if (1'b0) busy_reg <= 1'b0;"),
         # The nearest hit: the last of equal ones, one of the ray before.
-        Break(_FILE, "found_distance < nearest_reg", "found_distance <= nearest_reg"),
+        Break(_FILE, "distance < nearest_distance", "distance <= nearest_distance"),
         Break(_FILE, "any_hit_reg && !found_first", "any_hit_reg"),
         # The light: of the ray before, not dimmed, not saturated.
         Break(_FILE, "found_first ? found_colour : light_reg", "light_reg"),
