@@ -97,7 +97,7 @@ module axil_registers #(
         LIGHTS << `RT_REG_CAPACITY_LIGHTS_LOW |
         SPHERES << `RT_REG_CAPACITY_SPHERES_LOW |
         TRIANGLES << `RT_REG_CAPACITY_TRIANGLES_LOW;
-    localparam [2:0] RESET_CLOCKS = `RT_REG_RESET_CLOCKS;
+    localparam RESET_CLOCKS = `RT_REG_RESET_CLOCKS;
 
     localparam W_LOW = `RT_REG_SIZE_WIDTH_LOW;
     localparam H_LOW = `RT_REG_SIZE_HEIGHT_LOW;
@@ -217,10 +217,11 @@ module axil_registers #(
 
     reg auto_reg;
     reg start_reg;
-    reg [2:0] reset_reg;
+    // A one for each clock that reset still lasts, the next one lowest.
+    reg [RESET_CLOCKS-1:0] reset_reg;
     reg [1:0] enable_reg;
-    reg [15:0] width_reg;
-    reg [15:0] height_reg;
+    reg [SIZE_W-1:0] width_reg;
+    reg [SIZE_W-1:0] height_reg;
     reg [TAN_W-1:0] tan_h_reg;
     reg [TAN_W-1:0] tan_v_reg;
     reg [2:0] depth_reg;
@@ -228,10 +229,10 @@ module axil_registers #(
     initial begin
         auto_reg = CONTROL_AT_RESET[AUTO];
         start_reg = 1'b0;
-        reset_reg = 3'd0;
+        reset_reg = {RESET_CLOCKS{1'b0}};
         enable_reg = {ENABLE_AT_RESET[ERROR_ENABLE], ENABLE_AT_RESET[DONE_ENABLE]};
-        width_reg = SIZE_AT_RESET[W_LOW+:16];
-        height_reg = SIZE_AT_RESET[H_LOW+:16];
+        width_reg = SIZE_AT_RESET[W_LOW+:SIZE_W];
+        height_reg = SIZE_AT_RESET[H_LOW+:SIZE_W];
         tan_h_reg = TAN_H_AT_RESET[TAN_W-1:0];
         tan_v_reg = TAN_V_AT_RESET[TAN_W-1:0];
         depth_reg = DEEPEST[2:0];
@@ -251,9 +252,9 @@ module axil_registers #(
     end
 
     always @(posedge clk) begin
-        if (rst) reset_reg <= 3'd0;
-        else if (write_control && ones[RESET]) reset_reg <= RESET_CLOCKS;
-        else if (core_rst) reset_reg <= reset_reg - 3'd1;
+        if (rst) reset_reg <= {RESET_CLOCKS{1'b0}};
+        else if (write_control && ones[RESET]) reset_reg <= {RESET_CLOCKS{1'b1}};
+        else reset_reg <= reset_reg >> 1;
     end
 
     always @(posedge clk) begin
@@ -266,8 +267,8 @@ module axil_registers #(
 
     // Numbers, with the bytes that are not written as they were; what does not fit is not cut.
     wire [31:0] size_word;
-    assign size_word[W_LOW+:16] = width_reg;
-    assign size_word[H_LOW+:16] = height_reg;
+    assign size_word[W_LOW+:16] = {{16 - SIZE_W{1'b0}}, width_reg};
+    assign size_word[H_LOW+:16] = {{16 - SIZE_W{1'b0}}, height_reg};
     wire [31:0] tan_h_word = {{32 - TAN_W{1'b0}}, tan_h_reg};
     wire [31:0] tan_v_word = {{32 - TAN_W{1'b0}}, tan_v_reg};
     wire [31:0] depth_word = {29'd0, depth_reg};
@@ -282,11 +283,11 @@ module axil_registers #(
 
     always @(posedge clk) begin
         if (rst) begin
-            width_reg  <= SIZE_AT_RESET[W_LOW+:16];
-            height_reg <= SIZE_AT_RESET[H_LOW+:16];
+            width_reg  <= SIZE_AT_RESET[W_LOW+:SIZE_W];
+            height_reg <= SIZE_AT_RESET[H_LOW+:SIZE_W];
         end else if (write_size) begin
-            width_reg  <= width_fits ? width_next : 16'd0;
-            height_reg <= height_fits ? height_next : 16'd0;
+            width_reg  <= width_fits ? width_next[SIZE_W-1:0] : {SIZE_W{1'b0}};
+            height_reg <= height_fits ? height_next[SIZE_W-1:0] : {SIZE_W{1'b0}};
         end
     end
 
@@ -392,13 +393,13 @@ module axil_registers #(
         end
     end
 
-    assign width    = width_reg[SIZE_W-1:0];
-    assign height   = height_reg[SIZE_W-1:0];
+    assign width    = width_reg;
+    assign height   = height_reg;
     assign tan_h    = tan_h_reg;
     assign tan_v    = tan_v_reg;
     assign depth    = depth_reg;
     assign go       = auto_reg || start_reg;
-    assign core_rst = reset_reg != 3'd0;
+    assign core_rst = reset_reg[0];
     assign irq      = done_reg && enable_reg[0] || error_reg && enable_reg[1];
 
 endmodule

@@ -108,16 +108,17 @@ module camera #(
 
     always @(posedge clk) if (state_reg == S_VIEW) view_reg <= view_next;
 
-    // Sequence of six products: `issue` counts those sent, `collect` those that came back.
+    // Sequence of six products: `issue` counts those sent, `odd` and `collected` tell of one that
+    // came back that it is the second of a pair and the last.
     // Product 2 k and 2 k + 1 make component k (x, y, z) of a cross product; product k is
     // component k of the span of the columns, 3 + k that of the rows.
     reg [2:0] issue_reg;
     wire multiplying = state_reg == S_RIGHT || state_reg == S_DOWN || state_reg == S_SPANS;
     wire issue = multiplying && issue_reg != 3'd6;
     wire collect_valid;
-    wire [2:0] collect;
-    // Of 0 to 5 the last one alone has both bits.
-    wire collected = collect_valid && collect[2] && collect[0];
+    wire upper;
+    wire odd;
+    wire collected = collect_valid && upper && odd;
 
     always @(posedge clk) begin
         if (!multiplying) issue_reg <= 3'd0;
@@ -206,16 +207,16 @@ module camera #(
         .A_W  (A_W),
         .B_W  (B_W),
         .LANES(1),
-        .TAG_W(3)
+        .TAG_W(2)
     ) u_mul (
         .clk      (clk),
         .rst      (rst),
         .in_valid (issue),
-        .in_tag   (issue_reg),
+        .in_tag   ({issue_reg[2], issue_reg[0]}),
         .a        (a),
         .b        (b),
         .out_valid(collect_valid),
-        .out_tag  (collect),
+        .out_tag  ({upper, odd}),
         .p        (product)
     );
 
@@ -240,7 +241,7 @@ module camera #(
 
     always @(posedge clk) begin
         if (collect_valid) minuend_reg <= product;
-        if (collect_valid && collect[0])
+        if (collect_valid && odd)
             product_reg <= {product_reg[2*WIDE_W-1:0], component_wide};
     end
 
