@@ -125,45 +125,6 @@ module camera #(
         else if (issue) issue_reg <= issue_reg + 1'b1;
     end
 
-    // Lane 2, 1, 0 of a vector is its x, y, z.
-    function [A_W-1:0] view_lane;
-        input [1:0] index;
-        reg [VIEW_W-1:0] chosen;
-        begin
-            chosen = view_reg[index*VIEW_W+:VIEW_W];
-            view_lane = {{A_W - VIEW_W + 1{chosen[VIEW_W-1]}}, chosen[VIEW_W-2:0]};
-        end
-    endfunction
-
-    function [A_W-1:0] unit_lane_a;
-        input [3*UNIT_W-1:0] from;
-        input [1:0] index;
-        reg [UNIT_W-1:0] chosen;
-        begin
-            chosen = from[index*UNIT_W+:UNIT_W];
-            unit_lane_a = {{A_W - UNIT_W + 1{chosen[UNIT_W-1]}}, chosen[UNIT_W-2:0]};
-        end
-    endfunction
-
-    function [B_W-1:0] unit_lane_b;
-        input [3*UNIT_W-1:0] from;
-        input [1:0] index;
-        reg [UNIT_W-1:0] chosen;
-        begin
-            chosen = from[index*UNIT_W+:UNIT_W];
-            unit_lane_b = {{B_W - UNIT_W + 1{chosen[UNIT_W-1]}}, chosen[UNIT_W-2:0]};
-        end
-    endfunction
-
-    function [B_W-1:0] up_lane;
-        input [1:0] index;
-        reg [COORD_W-1:0] chosen;
-        begin
-            chosen = up[index*COORD_W+:COORD_W];
-            up_lane = {{B_W - COORD_W + 1{chosen[COORD_W-1]}}, chosen[COORD_W-2:0]};
-        end
-    endfunction
-
     // a x b: x is a_y b_z - a_z b_y, and so on round.
     reg [1:0] first;
     reg [1:0] second;
@@ -181,25 +142,33 @@ module camera #(
 
     wire row = issue_reg >= 3'd3;
     wire [1:0] span_lane = row ? 2'd1 - issue_reg[1:0] : 2'd2 - issue_reg[1:0];
-    reg [A_W-1:0] a;
-    reg [B_W-1:0] b;
+    wire [1:0] a_lane = state_reg == S_SPANS ? span_lane : first;
+    wire [3*A_W-1:0] a_vector;
+    wire [3*B_W-1:0] b_vector;
 
-    always @* begin
-        case (state_reg)
-            S_RIGHT: begin
-                a = view_lane(first);
-                b = up_lane(second);
-            end
-            S_DOWN: begin
-                a = unit_lane_a(d_reg, first);
-                b = unit_lane_b(u_reg, second);
-            end
-            default: begin
-                a = unit_lane_a(row ? v_reg : u_reg, span_lane);
-                b = {{B_W - `RT_TAN_W{1'b0}}, row ? tan_v : tan_h};
-            end
-        endcase
-    end
+    // Lane 2, 1, 0 of a vector is its x, y, z.
+    generate
+        for (lane = 0; lane < 3; lane = lane + 1) begin : g_operands
+            wire [VIEW_W-1:0] of_view = view_reg[lane*VIEW_W+:VIEW_W];
+            wire [UNIT_W-1:0] of_d = d_reg[lane*UNIT_W+:UNIT_W];
+            wire [UNIT_W-1:0] of_u = u_reg[lane*UNIT_W+:UNIT_W];
+            wire [UNIT_W-1:0] of_v = v_reg[lane*UNIT_W+:UNIT_W];
+            wire [COORD_W-1:0] of_up = up[lane*COORD_W+:COORD_W];
+            wire [UNIT_W-1:0] of_unit = state_reg == S_DOWN ? of_d : row ? of_v : of_u;
+            assign a_vector[lane*A_W+:A_W] = state_reg == S_RIGHT
+                ? {{A_W - VIEW_W + 1{of_view[VIEW_W-1]}}, of_view[VIEW_W-2:0]}
+                : {{A_W - UNIT_W + 1{of_unit[UNIT_W-1]}}, of_unit[UNIT_W-2:0]};
+            assign b_vector[lane*B_W+:B_W] = state_reg == S_RIGHT
+                ? {{B_W - COORD_W + 1{of_up[COORD_W-1]}}, of_up[COORD_W-2:0]}
+                : {{B_W - UNIT_W + 1{of_u[UNIT_W-1]}}, of_u[UNIT_W-2:0]};
+        end
+    endgenerate
+
+    wire [A_W-1:0] a = a_lane[1] ? a_vector[2*A_W+:A_W] : a_lane[0] ? a_vector[A_W+:A_W] : a_vector[0+:A_W];
+    wire [B_W-1:0] b_component =
+        second[1] ? b_vector[2*B_W+:B_W] : second[0] ? b_vector[B_W+:B_W] : b_vector[0+:B_W];
+    wire [B_W-1:0] b =
+        state_reg == S_SPANS ? {{B_W - `RT_TAN_W{1'b0}}, row ? tan_v : tan_h} : b_component;
 
     wire [PRODUCT_W-1:0] product;
 
@@ -220,8 +189,8 @@ module camera #(
         .p        (product)
     );
 
-    // Cross products gather by shifting components in from the right, x first. What the spans leave
-    // there is not used.
+    // Cross products gather by shifting components in from the right, x first; the minuend comes in
+    // the clock before. What the spans leave there is not used.
     reg [PRODUCT_W-1:0] minuend_reg;
     wire [PRODUCT_W:0] component =
         {minuend_reg[PRODUCT_W-1], minuend_reg} - {product[PRODUCT_W-1], product};
@@ -240,7 +209,7 @@ module camera #(
     endgenerate
 
     always @(posedge clk) begin
-        if (collect_valid) minuend_reg <= product;
+        minuend_reg <= product;
         if (collect_valid && odd)
             product_reg <= {product_reg[2*WIDE_W-1:0], component_wide};
     end

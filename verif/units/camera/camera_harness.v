@@ -33,7 +33,9 @@ module camera_harness #(
     wire vector_valid;
     wire [3*WIDE_W-1:0] vector;
     wire unit_valid;
-    wire [3*`RT_UNIT_W-1:0] unit;
+    wire [3*`RT_UNIT_W-1:0] result;
+    // Between results there is something else.
+    wire [3*`RT_UNIT_W-1:0] unit = unit_valid ? result : ~result;
     wire unused_tag;
     wire [`RT_UNIT_W:0] unused_norm;
     wire [$clog2(WIDE_W)-1:0] unused_shift;
@@ -78,7 +80,7 @@ module camera_harness #(
         .vector    (vector),
         .out_valid (unit_valid),
         .out_tag   (unused_tag),
-        .unit      (unit),
+        .unit      (result),
         .norm      (unused_norm),
         .shift     (unused_shift),
         .degenerate(unused_degenerate)
