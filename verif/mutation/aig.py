@@ -2,7 +2,7 @@
 same."""
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 
@@ -41,6 +41,17 @@ class Design:
             found[left >> 1].append(gate)
             found[right >> 1].append(gate)
         return found
+
+    def masked(self, only_with: Mapping[str, str]) -> "Design":
+        """The design whose outputs of these ports are 0 while another output, of one bit, is low."""
+        outputs, gates = dict(self.outputs), list(self.gates)
+        for (port, bit), literal in self.outputs.items():
+            if port in only_with:
+                outputs[port, bit] = 2 * (self.first_gate + len(gates))
+                # Operands of a gate come in AIGER's order, the larger one first.
+                operands = (literal, self.outputs[only_with[port], 0])
+                gates.append((max(operands), min(operands)))
+        return replace(self, outputs=outputs, gates=tuple(gates))
 
     def latches_behind(self, variables: Iterable[int]) -> set[int]:
         """Variables of the latches whose next value may depend on these within a clock."""

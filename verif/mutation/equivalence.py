@@ -10,15 +10,19 @@ the mutation does not touch; a SAT solver looks for outputs that differ. Proofs,
   the last d clocks only: d clocks from any state of the rest, and all clocks up to it from reset, decide.
 * Otherwise k-induction: outputs that were the same for k clocks are the same in the next one; or what always
   holds of the states of both side by side, such as registers that are equal, leaves no difference to see.
+* A few clocks behind a reset both are in the same state, whatever they were in before, and until then the
+  outputs are the same; and states that are the same stay so, but for reset, from where they are then.
 
-Each is tried from every state, then from those alone that `verif.mutation.invariants` does not exclude.
+Each but the last is tried from every state, then from those alone that `verif.mutation.invariants` does not
+exclude.
 
-A trace from reset after which outputs differ shows the mutant. It obeys no protocol of the inputs: whether it
-is legal is for a person to say. The solver knows one clock, so mutants of clock inputs are never made.
+A trace from reset after which outputs differ shows the mutant. It obeys no protocol of the inputs, but for
+those that must be low until an output is high: whether it is legal is for a person to say. The solver knows
+one clock, so mutants of clock inputs are never made.
 """
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeVar
 
@@ -38,6 +42,9 @@ _DEEPEST = 160
 _LARGEST = 60_000
 """Gates up to which unit and mutant are looked at side by side."""
 
+_SETTLED = 8
+"""Clocks behind a reset within which both may come into the same state."""
+
 _INDUCTIONS = (1, 2)
 _DEPTHS = (6, 14)
 """Clocks behind reset in which a trace is looked for, where there is feedback."""
@@ -54,12 +61,16 @@ class Decision:
 
 @dataclass
 class _Pair:
-    """Unit and mutant from states that agree but for the latches in ``loose``; the same inputs."""
+    """Unit and mutant from states that agree but for the latches in ``loose``; the same inputs.
+
+    reset: clocks of reset at the beginning; quiet: the clock until which there is none behind them.
+    """
 
     design: Design
     mutant: int
     loose: frozenset[int] = frozenset()
     reset: int = 0
+    quiet: int = 0
 
     def __post_init__(self) -> None:
         self.graph = Graph()
@@ -74,8 +85,8 @@ class _Pair:
             port, bit = self.design.inputs[position]
             if port == SELECT:
                 return (selected >> bit) & 1
-            if port == "rst" and clock < self.reset:
-                return TRUE
+            if port == "rst" and clock < max(self.reset, self.quiet):
+                return TRUE if clock < self.reset else FALSE
             return self._free(self._inputs, (position, clock))
 
         def state(latch: int) -> int:
@@ -99,6 +110,25 @@ class _Pair:
         pairs = (
             (self.unit.literal(literal, clock), self.changed.literal(literal, clock))
             for literal in self.design.outputs.values()
+        )
+        return [self.graph.differ(left, right) for left, right in pairs if left != right]
+
+    def legal(self, low_until: Mapping[str, str], clock: int) -> list[int]:
+        """Literals that say of a clock that these inputs are low unless the unit's outputs are high."""
+        ports = [port for port, _ in self.design.inputs]
+        return [
+            self.graph.both(
+                self._free(self._inputs, (ports.index(port), clock)),
+                self.unit.literal(self.design.outputs[output, 0], clock) ^ 1,
+            )
+            ^ 1
+            for port, output in low_until.items()
+        ]
+
+    def states_at(self, latches: Iterable[int], clock: int) -> list[int]:
+        """Literals, one a latch whose state in a clock may differ."""
+        pairs = (
+            (self.unit.literal(2 * latch, clock), self.changed.literal(2 * latch, clock)) for latch in latches
         )
         return [self.graph.differ(left, right) for left, right in pairs if left != right]
 
@@ -165,10 +195,15 @@ def _leaves(graph: Graph) -> Callable[[int, int], int]:
 
 @dataclass(frozen=True)
 class Solver:
-    """Decides about mutants of one design. seconds: for one question to the solver."""
+    """Decides about mutants of one design.
+
+    seconds: for one question to the solver; low_until: inputs that nobody raises, with the output that must
+    be high before, which depends on no input.
+    """
 
     design: Design
     seconds: int = 8
+    low_until: Mapping[str, str] = field(default_factory=dict)
 
     @cached_property
     def _clocks(self) -> int:
@@ -256,7 +291,8 @@ class Solver:
         pair = _Pair(self.design, mutant, reset=_RESET_CLOCKS)
         last = _RESET_CLOCKS + clocks
         apart = [pair.outputs(clock) for clock in range(_RESET_CLOCKS, last + 1)]
-        solution = any_of(pair.graph, [literal for one in apart for literal in one], self.seconds)
+        legal = [literal for clock in range(last + 1) for literal in pair.legal(self.low_until, clock)]
+        solution = any_of(pair.graph, [literal for one in apart for literal in one], self.seconds, legal)
         if solution.answer is not Answer.YES:
             return solution.answer
         end = next(index for index, one in enumerate(apart) if any(map(solution.holds, one)))
@@ -280,6 +316,8 @@ class Solver:
         loose = self._all_behind(touched)
         tried = 0
         large = len(self.design.gates) > _LARGEST
+        if not large and self._settles(mutant, loose):
+            return Decision(Verdict.EQUIVALENT, "the same behind a reset, and then in the same state")
         for clocks in _DEPTHS[:1] if large else _DEPTHS:
             found = self._trace(mutant, clocks)
             if isinstance(found, Decision):
@@ -294,6 +332,44 @@ class Solver:
                 break
             tried = clocks
         return Decision(Verdict.UNDECIDED, f"no trace of {tried} clocks, no proof")
+
+    def _settles(self, mutant: int, loose: frozenset[int]) -> bool:
+        """Whatever both were in, they are in the same state behind a reset, and no output tells before."""
+        for clock in range(1, _SETTLED + 1):
+            pair = _Pair(self.design, mutant, loose, reset=1, quiet=clock)
+            legal = [it for now in range(clock + 1) for it in pair.legal(self.low_until, now)]
+            if not self._never_any(pair, pair.outputs(clock), legal):
+                return False
+            if self._never_any(pair, pair.states_at(loose, clock), legal):
+                settled = {latch: pair.unit.literal(2 * latch, clock) for latch in self._latches}
+                return self._stay(
+                    mutant, {it: value for it, value in settled.items() if value in (FALSE, TRUE)}
+                )
+        return False
+
+    def _stay(self, mutant: int, settled: Mapping[int, int]) -> bool:
+        """From one state with registers of these values the outputs are the same, and but for a reset the
+        next states are one again, with the same values of those that keep them."""
+        while True:
+            pair = _Pair(self.design, mutant, quiet=1)
+            held = [pair.unit.literal(2 * latch, 0) ^ value ^ 1 for latch, value in settled.items()]
+            held += pair.legal(self.low_until, 0)
+            broken = {latch: pair.unit.after(latch, 0) ^ value for latch, value in settled.items()}
+            solution = any_of(pair.graph, list(broken.values()), self.seconds, held)
+            if solution.answer is not Answer.YES:
+                break
+            settled = {it: value for it, value in settled.items() if not solution.holds(broken[it])}
+        if solution.answer is Answer.UNKNOWN:
+            return False
+        apart = [literal for _, literal in pair.states(self._latches)]
+        if not self._never_any(pair, apart, held):
+            return False
+        pair = _Pair(self.design, mutant)
+        held = [pair.unit.literal(2 * latch, 0) ^ value ^ 1 for latch, value in settled.items()]
+        return self._never_any(pair, pair.outputs(0), [*held, *pair.legal(self.low_until, 0)])
+
+    def _never_any(self, pair: _Pair, literals: Sequence[int], given: Sequence[int]) -> bool:
+        return any_of(pair.graph, literals, self.seconds, given).answer is Answer.NO
 
     def _side_by_side(self, mutant: int, loose: frozenset[int]) -> bool:
         """What always holds of the states of both together, from reset on, leaves no difference to see."""

@@ -1,5 +1,6 @@
 """The solver on designs of a few gates, whose mutants are equivalent or not by construction."""
 
+from dataclasses import replace
 from itertools import count
 
 from verif.mutation.aig import Bit, Design
@@ -81,6 +82,38 @@ def test_feedback_that_differs_is_shown() -> None:
     it = _Builder(latches=1)
     after = it.both(it.differ(it.latch[0], it.either(it.a, it.select)), it.rst ^ 1)
     assert Solver(it.design(it.latch[0], after)).decide(1).verdict is Verdict.SHOWN
+
+
+def _cleared_in_either_order() -> Design:
+    """A register each that `a` and `b` set; behind a reset they are cleared one after the other, which the
+    mutant does in the other order. Outputs: whether both have been, and what they then hold."""
+    it = _Builder(latches=4)
+    second, ready, first_bit, second_bit = it.latch
+    begun = it.both(it.rst ^ 1, ready ^ 1)
+    clears_second = it.both(ready ^ 1, it.differ(second, it.select))
+    clears_first = it.both(ready ^ 1, it.differ(second, it.select) ^ 1)
+    after = (
+        it.both(begun, second ^ 1),
+        it.both(it.rst ^ 1, it.either(ready, second)),
+        it.both(clears_first ^ 1, it.either(first_bit, it.a)),
+        it.both(clears_second ^ 1, it.either(second_bit, it.b)),
+    )
+    held = it.both(ready, it.both(first_bit, second_bit ^ 1))
+    return replace(it.design(held, *after), outputs={("held", 0): held, ("ready", 0): ready})
+
+
+def test_both_settle_in_the_same_state_behind_a_reset() -> None:
+    settled = Solver(_cleared_in_either_order(), low_until={"a": "ready", "b": "ready"}).decide(1)
+    assert settled.verdict is Verdict.EQUIVALENT
+    assert Solver(_cleared_in_either_order()).decide(1).verdict is Verdict.SHOWN
+
+
+def test_an_output_that_means_nothing_tells_nothing() -> None:
+    it = _Builder()
+    out = it.either(it.b, it.both(it.a ^ 1, it.select))
+    design = replace(it.design(out), outputs={("out", 0): out, ("valid", 0): it.a})
+    assert Solver(design).decide(1).verdict is Verdict.SHOWN
+    assert Solver(design.masked({"out": "valid"})).decide(1).verdict is Verdict.EQUIVALENT
 
 
 def test_without_an_answer_a_mutant_is_undecided() -> None:
