@@ -130,19 +130,17 @@ module camera #(
     reg [1:0] second;
 
     always @* begin
-        case (issue_reg)
-            3'd0: {first, second} = {2'd1, 2'd0};
-            3'd1: {first, second} = {2'd0, 2'd1};
-            3'd2: {first, second} = {2'd0, 2'd2};
-            3'd3: {first, second} = {2'd2, 2'd0};
-            3'd4: {first, second} = {2'd2, 2'd1};
-            default: {first, second} = {2'd1, 2'd2};
+        case (issue_reg[2:1])
+            2'd0: {first, second} = {2'd1, 2'd0};
+            2'd1: {first, second} = {2'd0, 2'd2};
+            default: {first, second} = {2'd2, 2'd1};
         endcase
+        if (issue_reg[0]) {first, second} = {second, first};
     end
 
+    // Spans take x, y, z of u, then those of v, which come to lane 2 one after the other.
     wire row = issue_reg >= 3'd3;
-    wire [1:0] span_lane = row ? 2'd1 - issue_reg[1:0] : 2'd2 - issue_reg[1:0];
-    wire [1:0] a_lane = state_reg == S_SPANS ? span_lane : first;
+    wire [1:0] a_lane = state_reg == S_SPANS ? 2'd2 : first;
     wire [3*A_W-1:0] a_vector;
     wire [3*B_W-1:0] b_vector;
 
@@ -152,9 +150,8 @@ module camera #(
             wire [VIEW_W-1:0] of_view = view_reg[lane*VIEW_W+:VIEW_W];
             wire [UNIT_W-1:0] of_d = d_reg[lane*UNIT_W+:UNIT_W];
             wire [UNIT_W-1:0] of_u = u_reg[lane*UNIT_W+:UNIT_W];
-            wire [UNIT_W-1:0] of_v = v_reg[lane*UNIT_W+:UNIT_W];
             wire [COORD_W-1:0] of_up = up[lane*COORD_W+:COORD_W];
-            wire [UNIT_W-1:0] of_unit = state_reg == S_DOWN ? of_d : row ? of_v : of_u;
+            wire [UNIT_W-1:0] of_unit = state_reg == S_DOWN ? of_d : of_u;
             assign a_vector[lane*A_W+:A_W] = state_reg == S_RIGHT
                 ? {{A_W - VIEW_W + 1{of_view[VIEW_W-1]}}, of_view[VIEW_W-2:0]}
                 : {{A_W - UNIT_W + 1{of_unit[UNIT_W-1]}}, of_unit[UNIT_W-2:0]};
@@ -318,7 +315,9 @@ module camera #(
     always @(posedge clk) begin
         if (unit_valid && state_reg == S_WAIT_D) d_reg <= unit;
         if (unit_valid && state_reg == S_WAIT_U) u_reg <= unit;
+        else if (state_reg == S_SPANS) u_reg <= {u_reg[0+:2*UNIT_W], v_reg[2*UNIT_W+:UNIT_W]};
         if (unit_valid && state_reg == S_WAIT_V) v_reg <= unit;
+        else if (state_reg == S_SPANS) v_reg <= {v_reg[0+:2*UNIT_W], {UNIT_W{1'b0}}};
     end
 
     reg [`RT_FAULT_W-1:0] fault_reg;

@@ -68,8 +68,11 @@ module trace_unit #(
     localparam POINT_W = `RT_POINT_W;
     localparam SHADE_W = `RT_SHADE_W;
     localparam LINE_W = 3 * POINT_W + 3 * UNIT_W;
-    localparam FOUND_W = OBJECT_W + 2 + POINT_W + 3 * `RT_OFFSET_W + `RT_HALF_CHORD_W;
     localparam [POINT_W-1:0] INFINITY = `RT_INFINITY;
+    // A ray is hit before infinity, so that its distance has no other bits.
+    localparam DISTANCE_W = $clog2(`RT_INFINITY);
+    localparam DISTANCE_LOW = 3 * `RT_OFFSET_W + `RT_HALF_CHORD_W;
+    localparam FOUND_W = OBJECT_W + 2 + DISTANCE_W + DISTANCE_LOW;
 
     generate
         if (OBJECTS > 1 << OBJECT_W) begin : g_bad_objects
@@ -94,7 +97,7 @@ module trace_unit #(
     reg busy_reg;
     reg is_shadow_reg;
     reg first_reg;
-    reg [OBJECT_W:0] index_reg;
+    reg [OBJECT_W-1:0] index_reg;
     reg [OBJECT_W:0] own_reg;
     reg [LINE_W-1:0] line_reg;
     reg [POINT_W-1:0] limit_reg;
@@ -102,7 +105,7 @@ module trace_unit #(
 
     wire [OBJECT_W:0] own_at_start = shadow_valid ? shadow_own : ray_own;
     wire skip_first = own_at_start == {1'b1, {OBJECT_W{1'b0}}};
-    wire [OBJECT_W:0] following = index_reg + 1'b1;
+    wire [OBJECT_W:0] following = {1'b0, index_reg} + 1'b1;
     wire skip_next = own_reg == {1'b1, following[OBJECT_W-1:0]};
     wire [OBJECT_W:0] next_index = skip_next ? following + 1'b1 : following;
     wire last = next_index >= objects;
@@ -116,7 +119,7 @@ module trace_unit #(
     end
 
     always @(posedge clk) begin
-        index_reg <= start ? {{OBJECT_W{1'b0}}, skip_first} : next_index;
+        index_reg <= start ? {{OBJECT_W - 1{1'b0}}, skip_first} : next_index[OBJECT_W-1:0];
         first_reg <= start;
     end
 
@@ -136,7 +139,7 @@ module trace_unit #(
 
     always @(posedge clk) begin
         if (table_valid) rows[table_index] <= table_geometry;
-        row_reg <= rows[index_reg[OBJECT_W-1:0]];
+        row_reg <= rows[index_reg];
     end
 
     wire row_triangle;
@@ -167,8 +170,8 @@ module trace_unit #(
         test_first_reg  <= first_reg;
         test_last_reg   <= last;
         // Where there is no object to test, one test of none ends the ray.
-        test_void_reg   <= index_reg >= objects;
-        test_index_reg  <= index_reg[OBJECT_W-1:0];
+        test_void_reg   <= {1'b0, index_reg} >= objects;
+        test_index_reg  <= index_reg;
         test_line_reg   <= line_reg;
         test_limit_reg  <= limit_reg;
         test_colour_reg <= colour_reg;
@@ -190,7 +193,8 @@ module trace_unit #(
     wire [3*SHADE_W-1:0] found_colour;
     wire found_hit;
     wire found_leaving;
-    wire [POINT_W-1:0] found_distance;
+    wire [POINT_W-DISTANCE_W-1:0] unused_distance;
+    wire [DISTANCE_W-1:0] found_distance;
     wire [3*`RT_OFFSET_W-1:0] found_offset;
     wire [`RT_HALF_CHORD_W-1:0] found_half_chord;
 
@@ -213,7 +217,7 @@ module trace_unit #(
                      found_transparency, found_colour}),
         .hit       (found_hit),
         .leaving   (found_leaving),
-        .distance  (found_distance),
+        .distance  ({unused_distance, found_distance}),
         .offset    (found_offset),
         .half_chord(found_half_chord)
     );
@@ -226,13 +230,9 @@ module trace_unit #(
     reg nearest_done_reg;
     reg light_done_reg;
 
-    // A ray is hit before infinity, so that a distance has no other bits.
-    localparam DISTANCE_LOW = 3 * `RT_OFFSET_W + `RT_HALF_CHORD_W;
-    localparam DISTANCE_W = $clog2(`RT_INFINITY);
-    wire [DISTANCE_W-1:0] distance = found_distance[DISTANCE_W-1:0];
     wire [DISTANCE_W-1:0] nearest_distance = nearest_reg[DISTANCE_LOW+:DISTANCE_W];
     wire so_far = any_hit_reg && !found_first;
-    wire nearer = meets && (!so_far || distance < nearest_distance);
+    wire nearer = meets && (!so_far || found_distance < nearest_distance);
     wire [3*SHADE_W-1:0] light = found_first ? found_colour : light_reg;
     wire [3*SHADE_W-1:0] dimmed;
 
@@ -309,7 +309,8 @@ module trace_unit #(
     );
 
     assign hit_valid = hit_found_valid;
-    assign hit       = {hit_side, hit_found};
+    assign hit       = {hit_side, hit_found[FOUND_W:DISTANCE_LOW+DISTANCE_W],
+                        {POINT_W - DISTANCE_W{1'b0}}, hit_found[DISTANCE_LOW+DISTANCE_W-1:0]};
 
     wire term_side_ready;
     wire unused_term_side_valid;

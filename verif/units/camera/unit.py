@@ -13,7 +13,7 @@ UNIT = Unit(
             "wire cross_zero = product_reg[3*WIDE_W-1:1] == 0;",
         ),
         Break(
-            "scene/camera.v", "3'd3: {first, second} = {2'd2, 2'd0};", "3'd3: {first, second} = {2'd2, 2'd1};"
+            "scene/camera.v", "2'd1: {first, second} = {2'd0, 2'd2};", "2'd1: {first, second} = {2'd2, 2'd0};"
         ),
         Break(
             "scene/camera.v",

@@ -88,16 +88,16 @@ UNIT = Unit(
     },
     breaks=(
         # The triangle that a ray starts on: not left out as the first object, as another one.
-        Break(_FILE, "{{OBJECT_W{1'b0}}, skip_first}", "{OBJECT_W + 1{1'b0}}"),
+        Break(_FILE, "{{OBJECT_W - 1{1'b0}}, skip_first}", "{OBJECT_W{1'b0}}"),
         Break(_FILE, "skip_next ? following + 1'b1 : following", "following"),
         Break(_FILE, "shadow_valid ? shadow_own : ray_own", "ray_own"),
         # What ends a ray, and what is no test.
         Break(_FILE, "wire loadable = !busy_reg || last;", "wire loadable = !busy_reg;"),
-        Break(_FILE, "test_void_reg   <= index_reg >= objects;", "test_void_reg   <= 1'b0;"),
+        Break(_FILE, "test_void_reg   <= {1'b0, index_reg} >= objects;", "test_void_reg   <= 1'b0;"),
         Break(_FILE, "wire blank = test_void_reg || row_dead;", "wire blank = test_void_reg;"),
         Break(_FILE, "if (rst) busy_reg <= 1'b0;", "if (1'b0) busy_reg <= 1'b0;"),
         # The nearest hit: the last of equal ones, one of the ray before.
-        Break(_FILE, "distance < nearest_distance", "distance <= nearest_distance"),
+        Break(_FILE, "found_distance < nearest_distance", "found_distance <= nearest_distance"),
         Break(_FILE, "any_hit_reg && !found_first", "any_hit_reg"),
         # The light: of the ray before, not dimmed, not saturated.
         Break(_FILE, "found_first ? found_colour : light_reg", "light_reg"),
