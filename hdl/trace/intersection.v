@@ -253,13 +253,12 @@ module intersection #(
     );
 
     plane_distance #(
-        .SUM_W     (SUM_W),
         .QUOTIENT_W(QUOTIENT_W)
     ) u_plane (
         .clk     (clk),
         .rst     (rst),
-        .behind  (upper_sum_reg),
-        .facing  (lower_sum_reg),
+        .behind  (upper_sum_reg[2*UNIT_W:0]),
+        .facing  (lower_sum_reg[2*UNIT_W:0]),
         .shift   (shift_at_sums),
         .distance(quotient),
         .away    (quotient_away),

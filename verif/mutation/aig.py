@@ -9,6 +9,9 @@ from pathlib import Path
 FALSE, TRUE = 0, 1
 """Literals: twice the number of a node, plus 1 where it is inverted. Node 0 is the constant."""
 
+_REGISTER = "_reg"
+"""How names of registers end."""
+
 Bit = tuple[str, int]
 """Port and number of the bit."""
 
@@ -16,12 +19,14 @@ Bit = tuple[str, int]
 @dataclass(frozen=True)
 class Design:
     """Variables are numbered as in AIGER: from 1 the inputs, the latches, the gates. inputs: by position;
-    next: literal of each latch's next value; outputs: literals by port bit; gates: two literals each."""
+    next: literal of each latch's next value; outputs: literals by port bit; gates: two literals each; words:
+    variables of the latches that are one register of the Verilog."""
 
     inputs: tuple[Bit, ...]
     next: tuple[int, ...]
     outputs: Mapping[Bit, int]
     gates: tuple[tuple[int, int], ...]
+    words: tuple[tuple[int, ...], ...] = ()
 
     @property
     def first_latch(self) -> int:
@@ -77,16 +82,20 @@ def read(file: Path, names: Path) -> Design:
     after = tuple(int(line.split()[0]) for line in lines[:latches])
     out = [int(line) for line in lines[latches : latches + outputs]]
     named: dict[str, dict[int, Bit]] = {"input": {}, "output": {}}
+    words: dict[str, set[int]] = {}
     for line in names.read_text().splitlines():
         kind, position, bit, name = line.split()[:4]
         if kind in named:
             named[kind][int(position)] = (name, int(bit))
+        elif name.endswith(_REGISTER):
+            words.setdefault(name, set()).add(inputs + 1 + int(position))
     return Design(
         tuple(named["input"].get(index, ("", index)) for index in range(inputs)),
         after,
         # Where two bits are one signal, yosys names one of them.
         {named["output"].get(index, ("", index)): literal for index, literal in enumerate(out)},
         tuple(_gates(body, inputs + latches + 1, gates)),
+        tuple(dict.fromkeys(tuple(sorted(word)) for word in words.values())),
     )
 
 

@@ -23,7 +23,10 @@ _ALL, _TRIPLES, _PAIRS = 8, 22, 72
 """Registers up to which clauses of all of them, of three, of two are tried."""
 
 _MOST = 200
-"""Registers and pairs up to which anything is tried."""
+"""Registers and pairs up to which more is tried than the bits of each register by itself."""
+
+_GATES = 200_000
+"""Gates up to which anything is tried."""
 
 _CONDITIONAL = 4_000
 """Clauses about pairs while a third register has some value, at most."""
@@ -38,13 +41,16 @@ _ROUNDS = 80
 def find(
     design: Design, seconds: int, copies: Mapping[int, int] = MappingProxyType({})
 ) -> tuple[Clause, ...]:
-    """Clauses that always hold after reset; none where there are too many registers. seconds: a question.
+    """Clauses that always hold after reset; none where the design is too large. seconds: a question.
 
     copies: pairs of latches that begin alike, before reset: that they stay so is tried too, always or
     while a third one has some value.
     """
     after_reset = _after_reset(design)
-    if not 0 < len(after_reset) + len(copies) <= _MOST:
+    if len(after_reset) + len(copies) > _MOST:
+        few = {latch for word in _few(design, after_reset) for latch in word}
+        after_reset, copies = {latch: after_reset[latch] for latch in sorted(few)}, {}
+    if not after_reset or len(design.gates) > _GATES:
         return ()
     clauses = list(_candidates(design, after_reset, copies))
     while clauses:
@@ -147,6 +153,8 @@ def _candidates(design: Design, after_reset: dict[int, bool], copies: Mapping[in
     if len(latches) <= _PAIRS:
         size = len(latches) if len(latches) <= _ALL else 3 if len(latches) <= _TRIPLES else 2
         yield from filter(possible, _clauses(latches, size))
+    for word in _few(design, after_reset):
+        yield from filter(possible, _clauses(word, len(word)))
     equal = [(2 * copy, 2 * latch + 1) for copy, latch in copies.items()]
     equal += [(2 * copy + 1, 2 * latch) for copy, latch in copies.items()]
     always = set(filter(possible, equal))
@@ -155,6 +163,11 @@ def _candidates(design: Design, after_reset: dict[int, bool], copies: Mapping[in
     if 2 * len(others) * len(latches) <= _CONDITIONAL:
         conditional = ((2 * latch + bit, *clause) for clause in others for latch in latches for bit in (0, 1))
         yield from filter(possible, conditional)
+
+
+def _few(design: Design, after_reset: dict[int, bool]) -> list[tuple[int, ...]]:
+    """Registers of few bits, all of which reset sets."""
+    return [word for word in design.words if 1 < len(word) <= _ALL and all(it in after_reset for it in word)]
 
 
 def _clauses(latches: Sequence[int], size: int) -> Iterator[Clause]:

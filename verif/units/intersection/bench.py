@@ -11,11 +11,11 @@ from verif.env.fields import Operands, count, describe_all, select
 from verif.env.pipelined import Mismatch, PipelinedBench
 from verif.env.pipelined_tests import standard_tests
 from verif.env.unit import Parameters
-from verif.units.intersection import patches, sphere_truth, triangle_truth
+from verif.units.intersection import patches, sphere_truth, triangle_truth, triangles
 from verif.units.intersection.patches import FAN, PAIR, Patch
 from verif.units.intersection.unit import UNIT, alternating
 
-_ALTERNATING_STREAM, _SIDES_STREAM, _GAPS_STREAM = 1 << 18, 1 << 19, 1 << 20
+_ALTERNATING_STREAM, _SIDES_STREAM, _GAPS_STREAM, _TIES_STREAM = (1 << bit for bit in range(18, 22))
 _SHARE = 5
 """Each test below gets this part of a fast stream."""
 _ENOUGH_WITHIN = 0.2
@@ -60,6 +60,14 @@ async def both_sides_of_a_triangle_are_hit_at_the_same_distance(
     wrong |= hit & ~parallel & (got["leaving"] == turned["leaving"])
     assert hit.mean() > _ENOUGH_WITHIN, f"of {hit.size} rays {hit.sum()} hit"
     _refuse(bench, run, given, np.flatnonzero(wrong), "the other side is hit otherwise")
+
+
+async def of_components_about_as_long_the_same_one_leads_as_in_the_model(
+    bench: PipelinedBench, run: context.Context
+) -> None:
+    """At edges, where the rounding that comes of the longest component decides: ties of two and of three."""
+    size, fmts = run.operands // _SHARE, selected(run.parameters)
+    await bench.run(triangles.past_edges(run.generator(_TIES_STREAM), size, fmts))
 
 
 async def no_ray_passes_between_two_triangles_that_share_an_edge(
@@ -108,6 +116,7 @@ globals().update(
         more=(
             spheres_and_triangles_in_turn_do_not_disturb_each_other,
             both_sides_of_a_triangle_are_hit_at_the_same_distance,
+            of_components_about_as_long_the_same_one_leads_as_in_the_model,
             no_ray_passes_between_two_triangles_that_share_an_edge,
             no_ray_passes_between_the_triangles_around_a_corner,
         ),

@@ -87,7 +87,32 @@ def past_triangles(generator: Generator, size: int, fmts: Formats) -> Operands:
     """
     corner = corners(generator, size, fmts)
     direction = vectors.truncated(ways(generator, corner, size), fmts.unit)
-    weight = targets(generator, size)
+    return _aimed(generator, corner, direction, targets(generator, size), fmts)
+
+
+def past_edges(generator: Generator, size: int, fmts: Formats) -> Operands:
+    """The same at edges alone, along directions whose longest components are as long to a few steps."""
+    share = generator.random(size)
+    weight = np.stack([share, 1.0 - share, np.zeros(size)])
+    turn = (np.arange(3)[:, None] + generator.integers(0, 3, size)) % 3
+    weight = np.take_along_axis(weight, turn, axis=0)
+    return _aimed(generator, corners(generator, size, fmts), _ties(generator, size, fmts), weight, fmts)
+
+
+def _ties(generator: Generator, size: int, fmts: Formats) -> Raw:
+    """Directions (3, n) in `unit`, most of them not of length one."""
+    usual = np.rint(fmts.unit.one / np.sqrt(generator.integers(2, 3, size, endpoint=True))).astype(np.int64)
+    longest = vectors.pick(generator, usual, generator.integers(1, fmts.unit.max, size, endpoint=True))
+    tied = np.maximum(longest + generator.integers(-3, 3, (3, size), endpoint=True), 0)
+    shorter = (tied * generator.random(size)).astype(np.int64)
+    which = generator.integers(0, 6, size)[None, :] == np.arange(3)[:, None]
+    sign = generator.choice([-1, 1], (3, size))
+    return fmts.unit.saturate(sign * np.where(which, shorter, tied))
+
+
+def _aimed(generator: Generator, corner: Corners, direction: Raw, weight: Floats, fmts: Formats) -> Operands:
+    """Tests of rays of these directions that pass triangles where ``weight`` says, from any distance."""
+    size = int(direction.shape[1])
     target = sum(w * fmts.coord.to_float(place) for w, place in zip(weight, corner, strict=True))
     few_steps = generator.integers(-6, 6, size, endpoint=True) / fmts.point.one
     ahead = vectors.pick(

@@ -137,11 +137,11 @@ UNIT = PipelinedUnit(
             "(positive_reg == 3'd0) | (negative_reg == 3'd0)",
         ),
         Break(_FILE, "(positive_reg == 3'd0) ^ (negative_reg == 3'd0)", "&positive_reg ^ &negative_reg"),
-        Break(_PLANE, "facing_positive == behind_positive", "facing_positive"),
+        Break(_PLANE, "facing_positive != behind_negative", "facing_positive"),
         Break(_FILE, "localparam NEXT = (corner + 2) % 3", "localparam NEXT = corner < 2 ? 2 : 1"),
         Break(_FILE, "wire kind_at_along = kind_reg[T_ALONG-1]", "wire kind_at_along = kind_reg[T_ALONG]"),
         Break(_PLANE, "{WEIGHT{1'b0}}} >> shift_reg", "{WEIGHT{1'b0}}} >> shift", set="book"),
-        Break(_PLANE, "behind_negative ? -behind : behind", "behind"),
+        Break(_PLANE, "behind_negative ? -behind_part : behind_part", "behind_part"),
         Break("trace/corners.v", "center_late_reg <= center_reg", "center_late_reg <= center_next"),
     ),
 )
