@@ -108,13 +108,14 @@ module camera #(
 
     always @(posedge clk) if (state_reg == S_VIEW) view_reg <= view_next;
 
-    // Sequence of six products: `issue` counts those sent, `odd` and `collected` tell of one that
-    // came back that it is the second of a pair and the last.
+    // Sequence of six products: `issue_reg` counts those sent, `odd` and `collected` tell of one
+    // that came back that it is the second of a pair and the last. Those behind it are not used.
     // Product 2 k and 2 k + 1 make component k (x, y, z) of a cross product; product k is
     // component k of the span of the columns, 3 + k that of the rows.
     reg [2:0] issue_reg;
-    wire multiplying = state_reg == S_RIGHT || state_reg == S_DOWN || state_reg == S_SPANS;
-    wire issue = multiplying && issue_reg != 3'd6;
+    wire viewing = state_reg == S_RIGHT;
+    wire spanning = state_reg == S_SPANS;
+    wire multiplying = viewing || state_reg == S_DOWN || spanning;
     wire collect_valid;
     wire upper;
     wire odd;
@@ -122,7 +123,7 @@ module camera #(
 
     always @(posedge clk) begin
         if (!multiplying) issue_reg <= 3'd0;
-        else if (issue) issue_reg <= issue_reg + 1'b1;
+        else issue_reg <= issue_reg + 1'b1;
     end
 
     // a x b: x is a_y b_z - a_z b_y, and so on round.
@@ -140,7 +141,6 @@ module camera #(
 
     // Spans take x, y, z of u, then those of v, which come to lane 2 one after the other.
     wire row = issue_reg >= 3'd3;
-    wire [1:0] a_lane = state_reg == S_SPANS ? 2'd2 : first;
     wire [3*A_W-1:0] a_vector;
     wire [3*B_W-1:0] b_vector;
 
@@ -151,21 +151,23 @@ module camera #(
             wire [UNIT_W-1:0] of_d = d_reg[lane*UNIT_W+:UNIT_W];
             wire [UNIT_W-1:0] of_u = u_reg[lane*UNIT_W+:UNIT_W];
             wire [COORD_W-1:0] of_up = up[lane*COORD_W+:COORD_W];
-            wire [UNIT_W-1:0] of_unit = state_reg == S_DOWN ? of_d : of_u;
-            assign a_vector[lane*A_W+:A_W] = state_reg == S_RIGHT
+            assign a_vector[lane*A_W+:A_W] = viewing
                 ? {{A_W - VIEW_W + 1{of_view[VIEW_W-1]}}, of_view[VIEW_W-2:0]}
-                : {{A_W - UNIT_W + 1{of_unit[UNIT_W-1]}}, of_unit[UNIT_W-2:0]};
-            assign b_vector[lane*B_W+:B_W] = state_reg == S_RIGHT
+                : {{A_W - UNIT_W + 1{of_d[UNIT_W-1]}}, of_d[UNIT_W-2:0]};
+            assign b_vector[lane*B_W+:B_W] = viewing
                 ? {{B_W - COORD_W + 1{of_up[COORD_W-1]}}, of_up[COORD_W-2:0]}
                 : {{B_W - UNIT_W + 1{of_u[UNIT_W-1]}}, of_u[UNIT_W-2:0]};
         end
     endgenerate
 
-    wire [A_W-1:0] a = a_lane[1] ? a_vector[2*A_W+:A_W] : a_lane[0] ? a_vector[A_W+:A_W] : a_vector[0+:A_W];
+    wire [A_W-1:0] a_component =
+        first[1] ? a_vector[2*A_W+:A_W] : first[0] ? a_vector[A_W+:A_W] : a_vector[0+:A_W];
     wire [B_W-1:0] b_component =
         second[1] ? b_vector[2*B_W+:B_W] : second[0] ? b_vector[B_W+:B_W] : b_vector[0+:B_W];
+    wire [A_W-1:0] a = spanning
+        ? {{A_W - UNIT_W + 1{u_reg[3*UNIT_W-1]}}, u_reg[2*UNIT_W+:UNIT_W-1]} : a_component;
     wire [B_W-1:0] b =
-        state_reg == S_SPANS ? {{B_W - `RT_TAN_W{1'b0}}, row ? tan_v : tan_h} : b_component;
+        spanning ? {{B_W - `RT_TAN_W{1'b0}}, row ? tan_v : tan_h} : b_component;
 
     wire [PRODUCT_W-1:0] product;
 
@@ -177,7 +179,7 @@ module camera #(
     ) u_mul (
         .clk      (clk),
         .rst      (rst),
-        .in_valid (issue),
+        .in_valid (multiplying),
         .in_tag   ({issue_reg[2], issue_reg[0]}),
         .a        (a),
         .b        (b),
@@ -234,7 +236,7 @@ module camera #(
     wire divide = state_reg == S_DIVIDE && !asked_reg;
 
     always @(posedge clk) begin
-        if (collect_valid && state_reg == S_SPANS) begin
+        if (collect_valid && spanning) begin
             span_reg <= {span_reg[5*SPAN_W-1:0], magnitude[SPAN_DROP+:SPAN_W]};
             negative_reg <= {negative_reg[4:0], product[PRODUCT_W-1]};
         end else if (quotient_valid) span_reg <= {span_reg[5*SPAN_W-1:0], quotient};
@@ -313,11 +315,12 @@ module camera #(
     assign vector = state_reg == S_ASK_D ? view_wide : product_reg;
 
     always @(posedge clk) begin
-        if (unit_valid && state_reg == S_WAIT_D) d_reg <= unit;
-        if (unit_valid && state_reg == S_WAIT_U) u_reg <= unit;
-        else if (state_reg == S_SPANS) u_reg <= {u_reg[0+:2*UNIT_W], v_reg[2*UNIT_W+:UNIT_W]};
-        if (unit_valid && state_reg == S_WAIT_V) v_reg <= unit;
-        else if (state_reg == S_SPANS) v_reg <= {v_reg[0+:2*UNIT_W], {UNIT_W{1'b0}}};
+        // The last unit that is taken is the valid one.
+        if (state_reg == S_WAIT_D) d_reg <= unit;
+        if (state_reg == S_WAIT_U) u_reg <= unit;
+        else if (spanning) u_reg <= {u_reg[0+:2*UNIT_W], v_reg[2*UNIT_W+:UNIT_W]};
+        if (state_reg == S_WAIT_V) v_reg <= unit;
+        else if (spanning) v_reg <= {v_reg[0+:2*UNIT_W], {UNIT_W{1'b0}}};
     end
 
     reg [`RT_FAULT_W-1:0] fault_reg;

@@ -18,6 +18,7 @@ UNIT = Unit(
     sets={
         "mixed": _set(Store(6, 4, 24), MIXED),
         "tight": _set(Store(13, 5, 8), TIGHT),
+        "tight_doubled": _set(Store(6, 2, 8), TIGHT),
         "wide": _set(Store(4093, 2, 8), WIDE),
         "tall": _set(Store(2, 4093, 8), TALL),
     },
