@@ -1,6 +1,7 @@
 """Judges the mutants of a unit with the unit's own bench, all in one build and one simulation."""
 
 import json
+import os
 import threading
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import contextmanager
@@ -90,7 +91,7 @@ def judge(
     module = bench or f"verif.units.{unit.name}.bench"
     name = f"mutation-{mutated.folder.name}"
     chosen = [one for one in mutated.mutants if only is None or one.number in only]
-    directory = CACHE / "runs" / name
+    directory = Path(os.environ.get(run.RUNS) or CACHE / "runs") / name
     with _followed(directory / protocol.JUDGED, progress):
         run.run(
             build(unit, parameter_set, mutated),
