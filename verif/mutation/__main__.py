@@ -19,7 +19,7 @@ from verif.mutation import record
 from verif.mutation.explained import ExplanationError, Explanations
 from verif.mutation.judge import JudgeError
 from verif.mutation.netlist import NetlistError
-from verif.mutation.qualify import Plan, Progress, known, qualify, skipped
+from verif.mutation.qualify import Plan, Progress, known, qualify
 from verif.mutation.record import SCORE, UNDECIDED, Judged, Result, Verdict
 
 CORE_CONTROL = (
@@ -151,9 +151,7 @@ def main(arguments: Sequence[str]) -> int:
         return 2
     print(_HEAD)
     results, broken = [], 0
-    for name in filter(skipped, names):
-        print(f"{name:16} not judged: {skipped(name)}")
-    plans = [Plan(name, options.mutants, options.seed) for name in names if not skipped(name)]
+    plans = [Plan(name, options.mutants, options.seed) for name in names]
     for name, found in _results(plans, options.jobs):
         _show("")
         if isinstance(found, str):

@@ -150,11 +150,13 @@ def _candidates(design: Design, after_reset: dict[int, bool], copies: Mapping[in
             broken &= seen if literal & 1 else whole ^ seen
         return not broken
 
+    tried: dict[Clause, None] = {}
     if len(latches) <= _PAIRS:
         size = len(latches) if len(latches) <= _ALL else 3 if len(latches) <= _TRIPLES else 2
-        yield from filter(possible, _clauses(latches, size))
+        tried.update(dict.fromkeys(_clauses(latches, size)))
     for word in _few(design, after_reset):
-        yield from filter(possible, _clauses(word, len(word)))
+        tried.update(dict.fromkeys(_clauses(word, len(word))))
+    yield from filter(possible, tried)
     equal = [(2 * copy, 2 * latch + 1) for copy, latch in copies.items()]
     equal += [(2 * copy + 1, 2 * latch) for copy, latch in copies.items()]
     always = set(filter(possible, equal))

@@ -1,7 +1,6 @@
 """Judges the mutants of a unit with the unit's own bench, all in one build and one simulation."""
 
 import json
-import os
 import threading
 from collections.abc import Callable, Collection, Iterator, Sequence
 from contextlib import contextmanager
@@ -10,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from verif.env import run, units
-from verif.env.build import CACHE, Build
+from verif.env.build import Build
 from verif.env.simulators import Simulator
 from verif.env.unit import Unit, macros
 from verif.mutation import protocol
@@ -91,9 +90,11 @@ def judge(
     module = bench or f"verif.units.{unit.name}.bench"
     name = f"mutation-{mutated.folder.name}"
     chosen = [one for one in mutated.mutants if only is None or one.number in only]
-    directory = Path(os.environ.get(run.RUNS) or CACHE / "runs") / name
-    with _followed(directory / protocol.JUDGED, progress):
-        run.run(
+    # Beside the netlist: where runs lie is not the judge's to know.
+    told = mutated.folder / protocol.JUDGED
+    told.unlink(missing_ok=True)
+    with _followed(told, progress):
+        outcome = run.run(
             build(unit, parameter_set, mutated),
             protocol.SERVER,
             name,
@@ -110,29 +111,28 @@ def judge(
                     "select": SELECT,
                     "mutants": [one.number for one in chosen],
                     "jobs": jobs,
+                    "folder": str(mutated.folder),
                 },
             },
         )
-    return _session(mutated, chosen, directory)
+    return _session(mutated, chosen, outcome.directory / "sim.log")
 
 
-def _session(mutated: Netlist, chosen: Sequence[Mutant], directory: Path) -> Session:
-    told = {line["mutant"]: line for line in _lines(directory / protocol.JUDGED)}
+def _session(mutated: Netlist, chosen: Sequence[Mutant], log: Path) -> Session:
+    told = {line["mutant"]: line for line in _lines(mutated.folder / protocol.JUDGED)}
     itself = told.get(0, {}).get("test")
     if itself is None:
-        raise JudgeError(f"{mutated.folder.name}: the simulation did not start; {directory / 'sim.log'}")
+        raise JudgeError(f"{mutated.folder.name}: the simulation did not start; {log}")
     if itself != protocol.SURVIVED:
-        raise JudgeError(
-            f"{mutated.folder.name}: without a mutant, {itself} ends it; {directory / 'sim.log'}"
-        )
+        raise JudgeError(f"{mutated.folder.name}: without a mutant, {itself} ends it; {log}")
     missing = [one.number for one in chosen if one.number not in told]
     if missing:
-        raise JudgeError(f"{mutated.folder.name}: {len(missing)} mutants unjudged; {directory / 'sim.log'}")
+        raise JudgeError(f"{mutated.folder.name}: {len(missing)} mutants unjudged; {log}")
     judged = []
     for one in chosen:
         test, seconds = told[one.number]["test"], told[one.number]["seconds"]
         judged.append(Judged(one, _status(test), "" if test == protocol.SURVIVED else test, seconds))
-    return Session(tuple(judged), tuple(json.loads((directory / protocol.FILES).read_text())))
+    return Session(tuple(judged), tuple(json.loads((mutated.folder / protocol.FILES).read_text())))
 
 
 def _status(test: str) -> Status:

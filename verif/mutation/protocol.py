@@ -4,8 +4,8 @@ SERVER = "verif.mutation.server"
 """Cocotb module that judges."""
 
 JUDGED, FILES = "judged.jsonl", "files.json"
-"""In the folder of the run: a line a mutant (mutant, test, seconds of processor time); the project's files
-that were imported."""
+"""In the folder that the judge names: a line a mutant (mutant, test, seconds of processor time); the files of
+the project that were imported."""
 
 SURVIVED, TIMED_OUT, CRASHED = "survived", "timed out", "the simulator"
 """In place of the name of the test that failed."""

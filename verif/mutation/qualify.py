@@ -52,21 +52,12 @@ class Plan:
 
 def parameter_set(unit: str) -> str:
     """The set in which a unit's mutants are judged."""
-    return _setting(unit, "set") or "default"
+    return str(_settings_of(unit).get("set", "default"))
 
 
 def beside(unit: str) -> tuple[Path, ...]:
     """Files of a unit's test bench that stay as they are, beside the netlist."""
     return tuple(sources.ROOT / name for name in _settings_of(unit).get("beside", ()))
-
-
-def skipped(unit: str) -> str:
-    """Why a unit's mutants are not judged; empty where they are."""
-    return _setting(unit, "skip")
-
-
-def _setting(unit: str, name: str) -> str:
-    return str(_settings_of(unit).get(name, ""))
 
 
 def _settings_of(unit: str) -> Mapping[str, Any]:

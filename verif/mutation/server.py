@@ -6,7 +6,7 @@ folder of its own. Its exit code is what it found. The parent writes `judged.jso
 `files.json`, and ends.
 
 What it is told (`extra` of the settings): bench: module; select: name of the port; mutants: their numbers;
-jobs: children at a time.
+jobs: children at a time; folder: for these files.
 """
 
 import importlib
@@ -64,7 +64,8 @@ def _judge_all(names: list[str]) -> int:
     jobs: int = run.extra["jobs"]
     children: dict[int, int] = {}
     limit = _UNIT_SECONDS
-    with (run.directory / JUDGED).open("w") as output:
+    folder = Path(run.extra["folder"])
+    with (folder / JUDGED).open("w") as output:
         # The unit itself first and alone: its time is the measure of the others'.
         if not (child := os.fork()):
             _become_child(0, limit)
@@ -86,7 +87,7 @@ def _judge_all(names: list[str]) -> int:
                     _become_child(mutant, limit)
                     return mutant
                 children[child] = mutant
-    (run.directory / FILES).write_text(json.dumps(_imported()))
+    (folder / FILES).write_text(json.dumps(_imported()))
     os._exit(0)
 
 

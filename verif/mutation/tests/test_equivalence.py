@@ -1,8 +1,9 @@
 """The solver on designs of a few gates, whose mutants are equivalent or not by construction."""
 
 from dataclasses import replace
-from itertools import count
+from itertools import chain, count
 
+from verif.mutation import invariants
 from verif.mutation.aig import Bit, Design
 from verif.mutation.equivalence import Solver
 from verif.mutation.netlist import SELECT
@@ -106,6 +107,28 @@ def test_both_settle_in_the_same_state_behind_a_reset() -> None:
     settled = Solver(_cleared_in_either_order(), low_until={"a": "ready", "b": "ready"}).decide(1)
     assert settled.verdict is Verdict.EQUIVALENT
     assert Solver(_cleared_in_either_order()).decide(1).verdict is Verdict.SHOWN
+
+
+def test_what_differs_only_long_behind_a_reset_is_no_equivalence() -> None:
+    it = _Builder(latches=1)
+    seen = it.both(it.both(it.a, it.select), it.b)
+    held = it.both(it.rst ^ 1, it.either(it.latch[0], seen))
+    assert Solver(it.design(it.latch[0], held)).decide(1).verdict is Verdict.SHOWN
+
+
+def test_what_a_register_of_few_bits_never_holds_is_known_among_many() -> None:
+    """Counters from 0 to 2, among more registers than could be looked at together, and too many for pairs."""
+    counters, others = 40, 140
+    it = _Builder(latches=2 * counters + others)
+    words = list(zip(it.latch[: 2 * counters : 2], it.latch[1 : 2 * counters : 2], strict=True))
+    steps = [
+        (it.both(it.rst ^ 1, it.both(low ^ 1, high ^ 1)), it.both(it.rst ^ 1, low)) for low, high in words
+    ]
+    kept = [it.both(it.rst ^ 1, it.either(other, it.a)) for other in it.latch[2 * counters :]]
+    design = it.design(it.latch[-1], *chain.from_iterable(steps), *kept)
+    assert not invariants.find(design, seconds=8)
+    named = replace(design, words=tuple((low >> 1, high >> 1) for low, high in words))
+    assert invariants.find(named, seconds=8) == tuple((low ^ 1, high ^ 1) for low, high in words)
 
 
 def test_an_output_that_means_nothing_tells_nothing() -> None:

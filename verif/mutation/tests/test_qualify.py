@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 
+from verif.env import run
 from verif.mutation import record
 from verif.mutation.judge import JudgeError
 from verif.mutation.qualify import Plan, known, qualify
@@ -40,6 +41,15 @@ def test_a_blind_bench_leaves_survivors_and_the_solver_shows_them() -> None:
 def test_a_bench_that_fails_without_a_mutant_judges_nothing() -> None:
     with pytest.raises(JudgeError, match="without a mutant, nothing_is_right"):
         qualify(Plan(_UNIT, mutants=4, bench="verif.mutation.tests.failing_bench"))
+
+
+def test_mutants_are_judged_wherever_a_regression_keeps_its_runs(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setenv(run.RUNS, str(tmp_path))
+    few = qualify(Plan(_UNIT, mutants=3, again=False))
+    assert [path.name for path in tmp_path.iterdir()] == [f"mutation-{_UNIT}-default-3-1"]
+    assert [one.mutant.number for one in few.mutants] == [1, 2, 3]
 
 
 def test_a_result_is_known_until_something_that_it_depends_on_changes(
