@@ -67,7 +67,10 @@ async def of_components_about_as_long_the_same_one_leads_as_in_the_model(
 ) -> None:
     """At edges, where the rounding that comes of the longest component decides: ties of two and of three."""
     size, fmts = run.operands // _SHARE, selected(run.parameters)
-    await bench.run(triangles.past_edges(run.generator(_TIES_STREAM), size, fmts))
+    drawn = triangles.past_edges(run.generator(_TIES_STREAM), size, fmts)
+    await bench.run(drawn)
+    hits = UNIT.model(run.parameters, drawn)["hit"].mean()
+    assert _ENOUGH_WITHIN < hits < 1 - _ENOUGH_WITHIN, f"of {size} rays at edges {hits:.0%} hit"
 
 
 async def no_ray_passes_between_two_triangles_that_share_an_edge(

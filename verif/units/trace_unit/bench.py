@@ -1,10 +1,8 @@
 """Tests of the trace unit against a model of it, at every clock: when it is free, what it tests and finds."""
 
 import itertools
-from collections import deque
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from itertools import cycle
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import cocotb
@@ -18,220 +16,15 @@ from models.latency import LATENCY
 from models.limits import INFINITY
 from models.scene.types import BLACK, Sphere, Triangle, Vec3
 from verif.env import context
-from verif.env.block import Block, holds, same
+from verif.env.block import holds, same
 from verif.env.fields import split
-from verif.env.pipelined import Mismatch
 from verif.env.unit import Parameters
 from verif.units.trace_unit import unit
-from verif.units.trace_unit.frames import (
-    Job,
-    Lines,
-    Table,
-    drawn_lines,
-    drawn_table,
-    material,
-    scene,
-    vector,
-)
+from verif.units.trace_unit.driver import IDLE, Manners, TraceBench
+from verif.units.trace_unit.frames import Frame, Lines, Table, material, scene, vector
 
 _PART = 60
 """Rays of the long run with one table and one manner."""
-_KINDS = (False, True)
-_IDLE = (0,)
-
-
-@dataclass(frozen=True)
-class Manners:
-    """Of all around the unit; each list is taken over and over.
-
-    waits: clocks before each ray. hits, terms: whether a result of this kind may be taken, clock by clock.
-    """
-
-    waits: Sequence[int] = _IDLE
-    hits: Sequence[bool] = (True,)
-    terms: Sequence[bool] = (True,)
-
-    @property
-    def clocks(self) -> int:
-        """What a ray may take beside its tests."""
-        return max(self.waits) + len(self.hits) + len(self.terms) + 4
-
-
-class Model:
-    """What the unit must do, clock by clock: a ray is taken, its tests follow, its result comes and waits."""
-
-    def __init__(self, p: Parameters) -> None:
-        self._latency, self._room = LATENCY["trace_unit"](p), p["ROOM"]
-        self._ends = 0
-        self._tests: deque[tuple[int, bool]] = deque()
-        self.results: dict[bool, deque[tuple[int, Job]]] = {kind: deque() for kind in _KINDS}
-        self.now = 0
-
-    @property
-    def at_rest(self) -> bool:
-        """Nothing is in it."""
-        return not self._tests and not any(self.results.values())
-
-    def free(self, shadow: bool) -> bool:
-        """Whether a ray of this kind may come in the next clock."""
-        return self.now >= self._ends and len(self.results[shadow]) < self._room
-
-    def tested(self) -> bool:
-        """Whether a test counts in the next clock."""
-        return bool(self._tests) and self._tests[0] == (self.now, True)
-
-    def offered(self, shadow: bool) -> Job | None:
-        """The result of this kind that the next clock shows."""
-        results = self.results[shadow]
-        return results[0][1] if results and results[0][0] <= self.now else None
-
-    def clock(self, job: Job | None, takes: Mapping[bool, bool]) -> None:
-        """A clock passes: a ray comes or not, results are taken or not."""
-        for shadow, take in takes.items():
-            if take and self.offered(shadow) is not None:
-                self.results[shadow].popleft()
-        if self._tests and self._tests[0][0] == self.now:
-            self._tests.popleft()
-        if job is not None:
-            self._ends = self.now + len(job.tests)
-            row = self.now + 2
-            self._tests += [(row + number, counts) for number, counts in enumerate(job.tests)]
-            self.results[job.shadow].append((self._ends + self._latency, job))
-        self.now += 1
-
-
-class TraceBench(Block):
-    """Starts rays where the unit is free, takes results, and compares all outputs at every clock."""
-
-    def __init__(self, dut: Any, parameters: Mapping[str, int]) -> None:
-        super().__init__(
-            dut,
-            idle=("table_valid", "ray_valid", "shadow_valid", "hit_ready", "term_ready"),
-            carried={
-                "table_valid": ("table_index", "table_geometry"),
-                "ray_valid": ("ray",),
-                "shadow_valid": ("shadow",),
-            },
-        )
-        self.set(table_index=0, table_geometry=0, objects=0, ray=0, shadow=0)
-        self.parameters = parameters
-        self.model = Model(parameters)
-        self.checked = 0
-
-    async def restart(self) -> None:
-        """Reset, whatever is in flight."""
-        await self.reset()
-        self.model = Model(self.parameters)
-
-    async def load(self, table: Table) -> None:
-        """Writes a frame's table; nothing is in flight."""
-        for index, row in enumerate(table.rows):
-            await self.clock(table_valid=1, table_index=index, table_geometry=row)
-        self.set(table_valid=0, objects=table.number)
-
-    async def step(self, job: Job | None = None, take_hit: bool = True, take_term: bool = True) -> None:
-        """One clock, all outputs checked."""
-        self.set(ray_valid=0, shadow_valid=0, hit_ready=int(take_hit), term_ready=int(take_term))
-        if job is not None and job.shadow:
-            self.set(shadow_valid=1, shadow=job.word)
-        elif job is not None:
-            self.set(ray_valid=1, ray=job.word)
-        await self.clock()
-        self._check("ray_free", self.model.free(False))
-        self._check("shadow_free", self.model.free(True))
-        self._check("tested", self.model.tested())
-        self._result(False, "hit")
-        self._result(True, "term")
-        self.model.clock(job, {False: take_hit, True: take_term})
-
-    def _check(self, name: str, expected: bool) -> None:
-        same(f"{name} at clock {self.now}", int(expected), self.read(name))
-
-    def _result(self, shadow: bool, name: str) -> None:
-        job = self.model.offered(shadow)
-        self._check(f"{name}_valid", job is not None)
-        if job is not None:
-            self.checked += 1
-            got = self.read(name)
-            if (got ^ job.result) >> job.open_bits:
-                ports = unit.term(self.parameters) if shadow else unit.hit(self.parameters)
-                expected, found = (split(ports, [word]) for word in (job.result, got))
-                wrong = [port.name for port in ports if (expected[port.name] != found[port.name]).any()]
-                raise Mismatch(f"{name} at clock {self.now}, {wrong}: expected {expected}, got {found}")
-            if self.signals is not None:
-                self._cover(job)
-
-    def _cover(self, job: Job) -> None:
-        """What a result, the model's, is a case of."""
-        if job.shadow:
-            left = split(unit.term(self.parameters), [job.result])["sum"].any()
-            self.covered(f"light.{'some' if left else 'nothing'}")
-            return
-        hit = split(unit.hit(self.parameters), [job.result])
-        if not hit["hit"][0]:
-            self.covered("ray.nothing")
-            return
-        # Only a sphere has an offset or a chord.
-        ball = hit["offset"].any() or hit["half_chord"].any()
-        self.covered("ray.sphere" if ball else "ray.triangle")
-        self.covered("ray.glass" if hit["glass"][0] else "ray.opaque")
-        if hit["leaving"][0]:
-            self.covered("ray.leaving")
-        if split(unit.ray(self.parameters), [job.word])["owned"][0]:
-            self.covered("ray.starts_on_one")
-
-    async def play(self, jobs: Sequence[Job], manners: Manners = Manners(), most: int | None = None) -> int:
-        """Starts rays as soon as the unit is free, until the last one has started, or for so many clocks; the
-        number of rays that have started."""
-        waits, hits, terms = cycle(manners.waits), cycle((*manners.hits, True)), cycle((*manners.terms, True))
-        started, wait = 0, next(waits)
-        # Where there is no room, a ray waits for one that has just started.
-        turns = 2 + len(jobs) // self.parameters["ROOM"]
-        limit = sum(len(job.tests) + manners.clocks for job in jobs)
-        limit += turns * LATENCY["trace_unit"](self.parameters)
-        for _ in range(limit if most is None else most):
-            if started == len(jobs):
-                return started
-            wait -= 1
-            goes = wait < 0 and self.model.free(jobs[started].shadow)
-            await self.step(jobs[started] if goes else None, next(hits), next(terms))
-            if goes:
-                started, wait = started + 1, next(waits)
-        if most is None:
-            raise Mismatch(f"{started} of {len(jobs)} rays have started after {limit} clocks")
-        return started
-
-    async def drain(self, manners: Manners = Manners()) -> None:
-        """All results come, and then nothing."""
-        hits, terms = cycle((*manners.hits, True)), cycle((*manners.terms, True))
-        while not self.model.at_rest:
-            await self.step(None, next(hits), next(terms))
-        for _ in range(4):
-            await self.step()
-
-    async def frame(self, table: Table, jobs: Sequence[Job], manners: Manners = Manners()) -> None:
-        """A whole frame."""
-        await self.load(table)
-        await self.play(jobs, manners)
-        await self.drain(manners)
-
-
-@dataclass(frozen=True)
-class Frame:
-    """What is drawn of a frame: numbers of objects, kinds of rays, and the seed of all else."""
-
-    spheres: int
-    triangles: int
-    kinds: Sequence[bool]
-    seed: int
-
-    def make(self, p: Parameters) -> tuple[Table, list[Job]]:
-        """Its table, and its rays."""
-        generator = np.random.default_rng(self.seed)
-        flats = min(self.triangles, p["OBJECTS"] - self.spheres)
-        table = drawn_table(generator, self.spheres, flats, p)
-        lines = drawn_lines(generator, table, len(self.kinds), p)
-        return table, table.jobs(lines, self.kinds, generator)
 
 
 def _frames(p: Parameters) -> st.SearchStrategy[Frame]:
@@ -275,7 +68,7 @@ async def a_long_run_of_both_kinds_matches_the_model(dut: Any) -> None:
         spheres, triangles = generator.integers(0, run.parameters["OBJECTS"], 2, endpoint=True).tolist()
         kinds = (generator.random(_PART) < generator.random()).tolist()
         rushed = generator.random() < 0.5
-        waits = _IDLE if rushed else generator.integers(0, 9, 20).tolist()
+        waits = IDLE if rushed else generator.integers(0, 9, 20).tolist()
         takes = (generator.random((2, 20)) < generator.choice([0.2, 1.0], (2, 1))).tolist()
         frame = Frame(spheres, triangles, kinds, int(generator.integers(1 << 32)))
         await bench.frame(*frame.make(run.parameters), Manners(waits, *takes))
@@ -359,6 +152,8 @@ _GRID = 6
 """Corners and rays are up to so many steps of a coordinate from an axis."""
 _ACROSS = 8
 """Triangles across each axis."""
+_SEEN = 0.05
+"""Least share of rays that must hit, and of those that must miss."""
 
 
 def _along(axis: int, p: Parameters) -> Lines:
@@ -375,7 +170,7 @@ def _along(axis: int, p: Parameters) -> Lines:
 async def a_step_of_any_corner_decides_which_rays_meet_a_triangle(dut: Any) -> None:
     """Triangles of few steps across each axis, of any transparency, and a ray along it at every step."""
     bench, run = await _bench(dut)
-    generator = run.generator(7)
+    generator, hits = run.generator(7), list[int]()
     for axis in [0, 1, 2] * _ACROSS:
         corners = np.zeros((3, 3), dtype=np.int64)
         corners[:2] = generator.integers(-_GRID, _GRID, (2, 3), endpoint=True)
@@ -383,7 +178,10 @@ async def a_step_of_any_corner_decides_which_rays_meet_a_triangle(dut: Any) -> N
         share = vector(generator.integers(0, COLOUR.max, 3, endpoint=True))
         table = Table(scene((), [Triangle(material(share), (a, b, c))]), run.parameters)
         lines = _along(axis, run.parameters)
-        await bench.frame(table, table.jobs(lines, [False] * lines.own.size, generator))
+        jobs = table.jobs(lines, [False] * lines.own.size, generator)
+        hits += [split(unit.hit(run.parameters), [job.result])["hit"][0] for job in jobs]
+        await bench.frame(table, jobs)
+    assert _SEEN < np.mean(hits) < 1 - _SEEN, f"of {len(hits)} rays {sum(hits)} hit"
 
 
 @cocotb.test()
@@ -441,7 +239,7 @@ async def a_consumer_that_stops_stops_its_kind_alone_and_nothing_is_lost(dut: An
     """Nobody takes results of a kind: as many rays start as there is room; the other kind goes on."""
     bench, run = await _bench(dut)
     room = run.parameters["ROOM"]
-    for stopped in _KINDS:
+    for stopped in (False, True):
         kinds = [stopped] * (room + 1) + [not stopped] * 10
         table, jobs = Frame(1, 1, kinds, int(run.generator(4).integers(1 << 32))).make(run.parameters)
         waiting, late, others = jobs[:room], jobs[room], jobs[room + 1 :]

@@ -168,7 +168,7 @@ def scene(spheres: Sequence[Sphere], triangles: Sequence[Triangle]) -> Scene:
 
 
 def vector(values: Raw) -> Vec3:
-    """Three numbers."""
+    """Numbers of shape (3,) as those of a scene."""
     x, y, z = values.tolist()
     return x, y, z
 
@@ -259,3 +259,21 @@ def _places(generator: Generator, table: Table, size: int, fmts: Formats) -> lis
                 fmts.coord.to_float(shape.center) + radius * share * vectors.directions(generator, size)
             )
     return places
+
+
+@dataclass(frozen=True)
+class Frame:
+    """What is drawn of a frame: numbers of objects, kinds of rays, and the seed of all else."""
+
+    spheres: int
+    triangles: int
+    kinds: Sequence[bool]
+    seed: int
+
+    def make(self, p: Parameters) -> tuple[Table, list[Job]]:
+        """Its table, and its rays."""
+        generator = np.random.default_rng(self.seed)
+        flats = min(self.triangles, p["OBJECTS"] - self.spheres)
+        table = drawn_table(generator, self.spheres, flats, p)
+        lines = drawn_lines(generator, table, len(self.kinds), p)
+        return table, table.jobs(lines, self.kinds, generator)

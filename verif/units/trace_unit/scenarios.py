@@ -6,7 +6,8 @@ from numpy.random import Generator
 
 from verif.coverage.subjects import Scenarios, of_block
 from verif.env.context import Context
-from verif.units.trace_unit.bench import Frame, Manners, TraceBench
+from verif.units.trace_unit.driver import Manners, TraceBench
+from verif.units.trace_unit.frames import Frame
 
 _RAYS = 24
 _STOPPED = (False,) * 40
