@@ -137,6 +137,10 @@ def _told(checks: Sequence[Check]) -> str:
 
 
 def _tail(folder: Path) -> str:
+    """The end of what was printed, its last line first: that is what a program says of itself."""
     log = folder / LOG
-    lines = log.read_text(errors="replace").splitlines() if log.exists() else []
-    return "\n".join(lines[-_LAST_LINES:]) or "nothing was printed"
+    lines = log.read_text(errors="replace").rstrip().splitlines() if log.exists() else []
+    if not lines:
+        return "nothing was printed"
+    *before, last = lines[-_LAST_LINES:]
+    return "\n".join([last, "", *before]) if before else last

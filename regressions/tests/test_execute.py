@@ -15,6 +15,7 @@ from regressions.lists import Kind
 from regressions.outcome import Ended, judged, trimmed
 from regressions.record import Result, Status
 from regressions.tests.planned import of_pytest, of_python
+from regressions.triage import buckets
 from verif.env import sources
 from verif.env.simulators import available
 
@@ -28,10 +29,12 @@ def test_a_run_that_ends_well_passes(tmp_path: Path) -> None:
 
 
 def test_a_run_that_exits_with_another_code_fails_with_its_last_words(tmp_path: Path) -> None:
-    """The message is the end of what it printed."""
-    result = execute(of_python("bad", "raise SystemExit('the end')"), tmp_path / "run", Event())
+    """The message is the end of what it printed, which the last line heads, and so its bucket."""
+    code = "print('a/b 1/2 -', flush=True)\nraise SystemExit('the end of 3')"
+    result = execute(of_python("bad", code), tmp_path / "run", Event())
     assert result.status is Status.FAILED
-    assert "the end" in result.message
+    assert result.message.splitlines() == ["the end of 3", "", "a/b 1/2 -"]
+    assert [bucket.message for bucket in buckets([result])] == ["the end of #"]
 
 
 def _alive(process: int) -> bool:

@@ -70,6 +70,8 @@ def _show(wanted: Sequence[str] | None, with_exclusions: bool = False) -> int:
         print("\n".join(totals.holes(review, _files(wanted))))
     else:
         print("\n".join(totals.table(review)))
+        if review.holes:
+            print(f"not hit: {len(review.holes)} points, which `report --holes` lists")
     if with_exclusions:
         print("\n".join(f"{number:6} {text}" for text, number in totals.excluded_by(review).most_common()))
     missing = set(runs.everything()) - review.coverage.tests
