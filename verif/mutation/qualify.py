@@ -20,9 +20,10 @@ from verif.env.simulators import Simulator
 from verif.env.simulators import version as simulator_version
 from verif.env.unit import PipelinedUnit, Unit
 from verif.mutation import judge, netlist, record
+from verif.mutation.aig import Design
 from verif.mutation.equivalence import Decision, Solver
 from verif.mutation.judge import Effort, Session
-from verif.mutation.netlist import Netlist
+from verif.mutation.netlist import Netlist, NetlistError
 from verif.mutation.record import Clock, Judged, Result, Status, Verdict
 
 METHOD = 3
@@ -62,6 +63,16 @@ def beside(unit: str) -> tuple[Path, ...]:
 
 def _settings_of(unit: str) -> Mapping[str, Any]:
     return dict(tomllib.loads(SETTINGS.read_text()).get(unit, {}))
+
+
+def _contract(unit: Unit, design: Design, name: str) -> Mapping[str, str]:
+    """One of the two settings about ports. Raises NetlistError where one of them is no port of the design."""
+    pairs: Mapping[str, str] = _settings_of(unit.name).get(name, {})
+    ports = {port for port, _ in (*design.inputs, *design.outputs)}
+    for port in (*pairs, *pairs.values()):
+        if port not in ports:
+            raise NetlistError(f"{SETTINGS.name}: {unit.name}: {name}: {port} is no port: name another one")
+    return pairs
 
 
 def known(plan: Plan) -> Result | None:
@@ -146,9 +157,9 @@ def _decided(
     if not alive:
         return {}
     progress("solver", 0, len(alive))
-    contract = _settings_of(unit.name)
-    design = netlist.design(mutated).masked(contract.get("only_with", {}))
-    solver = Solver(design, low_until=contract.get("low_until", {}))
+    design = netlist.design(mutated)
+    low_until, only_with = (_contract(unit, design, name) for name in ("low_until", "only_with"))
+    solver = Solver(design.masked(only_with), low_until=low_until)
     decided = {}
     for done, one in enumerate(alive):
         progress("solver", done, len(alive))

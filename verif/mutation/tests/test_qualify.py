@@ -6,8 +6,10 @@ from pathlib import Path
 import pytest
 
 from verif.env import run
+from verif.mutation import qualify as qualification
 from verif.mutation import record
 from verif.mutation.judge import JudgeError
+from verif.mutation.netlist import NetlistError
 from verif.mutation.qualify import Plan, known, qualify
 from verif.mutation.record import Result, Status, Verdict
 
@@ -50,6 +52,14 @@ def test_mutants_are_judged_wherever_a_regression_keeps_its_runs(
     few = qualify(Plan(_UNIT, mutants=3, again=False))
     assert [path.name for path in tmp_path.iterdir()] == [f"mutation-{_UNIT}-default-3-1"]
     assert [one.mutant.number for one in few.mutants] == [1, 2, 3]
+
+
+def test_a_setting_about_no_port_is_refused_by_name(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    settings = tmp_path / "settings.toml"
+    settings.write_text(f'[{_UNIT}]\nonly_with = {{ out = "out_vald" }}\n')
+    monkeypatch.setattr(qualification, "SETTINGS", settings)
+    with pytest.raises(NetlistError, match=r"settings\.toml: colour_add: only_with: out_vald is no port"):
+        qualify(Plan(_UNIT, mutants=12, bench="verif.mutation.tests.blind_bench", again=False))
 
 
 def test_a_result_is_known_until_something_that_it_depends_on_changes(
