@@ -29,6 +29,17 @@ class Design:
     words: tuple[tuple[int, ...], ...] = ()
 
     @property
+    def clocks(self) -> frozenset[str]:
+        """Ports that are clocks. Of several each is high in the steps in which its registers take their next
+        values, see `netlist.design`; a single one ticks in every step."""
+        return frozenset(port for port, _ in self.inputs if port == "clk" or port.endswith("_clk"))
+
+    @property
+    def begun(self) -> frozenset[str]:
+        """Ports that are high where a design is reset as a whole: its resets, and all clocks tick."""
+        return self.clocks | {port for port, _ in self.inputs if port == "rst" or port.endswith("_rst")}
+
+    @property
     def first_latch(self) -> int:
         """Variable of the first latch."""
         return len(self.inputs) + 1

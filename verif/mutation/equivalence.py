@@ -17,8 +17,11 @@ Each but the last is tried from every state, then from those alone that `verif.m
 exclude.
 
 A trace from reset after which outputs differ shows the mutant. It obeys no protocol of the inputs, but for
-those that must be low until an output is high: whether it is legal is for a person to say. The solver knows
-one clock, so mutants of clock inputs are never made.
+those that must be low until an output is high: whether it is legal is for a person to say. Mutants of clock
+inputs are never made: of one clock the solver would not see them.
+
+Where there are several clocks, any of them tick in a step, or none: that is every ratio and every phase. In
+reset all tick. A reset of one side leaves the other as it is, so the last of the proofs is not tried there.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -85,8 +88,10 @@ class _Pair:
             port, bit = self.design.inputs[position]
             if port == SELECT:
                 return (selected >> bit) & 1
-            if port == "rst" and clock < max(self.reset, self.quiet):
-                return TRUE if clock < self.reset else FALSE
+            if clock < self.reset and port in self.design.begun:
+                return TRUE
+            if clock < self.quiet and port == "rst":
+                return FALSE
             return self._free(self._inputs, (position, clock))
 
         def state(latch: int) -> int:
@@ -177,11 +182,11 @@ class _Pair:
         """The inputs that a solution has, clock by clock."""
         found: list[dict[str, int]] = [{} for _ in range(clocks)]
         for position, (port, bit) in enumerate(self.design.inputs):
-            if port in ("", SELECT, "clk"):
+            if port in ("", SELECT) or self.design.clocks == {port}:
                 continue
             for clock in range(clocks):
                 literal = self._inputs.get((position, clock), FALSE)
-                held = port == "rst" and clock < self.reset
+                held = port in self.design.begun and clock < self.reset
                 value = held or (literal != FALSE and solution.holds(literal))
                 found[clock][port] = found[clock].get(port, 0) | (int(value) << bit)
         return tuple(found)
@@ -205,10 +210,6 @@ class Solver:
     seconds: int = 8
     low_until: Mapping[str, str] = field(default_factory=dict)
 
-    @cached_property
-    def _clocks(self) -> int:
-        return len({port for port, _ in self.design.inputs if port == "clk" or port.endswith("_clk")})
-
     def decide(self, mutant: int) -> Decision:
         """The verdict on one mutant."""
         touched = self._by_induction(mutant, ())
@@ -216,8 +217,6 @@ class Solver:
             return touched
         if self._never and isinstance(proof := self._by_induction(mutant, self._never), Decision):
             return proof
-        if self._clocks > 1:
-            return Decision(Verdict.UNDECIDED, "the solver knows one clock, the unit has two")
         depth = self._depth(touched)
         if depth is not None:
             found = self._without_feedback(mutant, touched, depth)
@@ -316,7 +315,7 @@ class Solver:
         loose = self._all_behind(touched)
         tried = 0
         large = len(self.design.gates) > _LARGEST
-        if not large and self._settles(mutant, loose):
+        if not large and len(self.design.clocks) < 2 and self._settles(mutant, loose):
             return Decision(Verdict.EQUIVALENT, "the same behind a reset, and then in the same state")
         for clocks in _DEPTHS[:1] if large else _DEPTHS:
             found = self._trace(mutant, clocks)

@@ -74,7 +74,7 @@ def _run(design: Design, graph: Graph, states: dict[int, int], reset: bool, copi
         port = design.inputs[position][0]
         if port == SELECT:
             return FALSE
-        return TRUE if reset and port == "rst" else _free(graph, inputs, (position, clock))
+        return TRUE if reset and port in design.begun else _free(graph, inputs, (position, clock))
 
     return Run(design, graph, given, lambda latch: _free(graph, states, copies.get(latch, latch)))
 
@@ -114,6 +114,7 @@ def _simulated(
     for copy, latch in copies.items():
         if copy not in after_reset:
             words[copy] = words[latch]
+    resets = design.begun - design.clocks
     for _ in range(_CLOCKS):
         for position, (port, _bit) in enumerate(design.inputs):
             word = generator.getrandbits(_LANES)
@@ -122,9 +123,9 @@ def _simulated(
             third = _LANES // 3
             low, high = (1 << third) - 1, ((1 << third) - 1) << third
             mixed = (rare & low) | (word & high) | ((mask ^ rare) & (mask ^ low ^ high))
-            words[position + 1] = {SELECT: 0, "rst": rare & generator.getrandbits(_LANES) & rare >> 7}.get(
-                port, mixed
-            )
+            if port in resets:
+                mixed = rare & generator.getrandbits(_LANES) & rare >> 7
+            words[position + 1] = 0 if port == SELECT else mixed
         for gate, (left, right) in enumerate(design.gates, design.first_gate):
             first = words[left >> 1] ^ (mask if left & 1 else 0)
             words[gate] = first & (words[right >> 1] ^ (mask if right & 1 else 0))

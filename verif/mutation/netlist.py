@@ -41,6 +41,15 @@ _NET = re.compile(r"^  (?:wire|reg) (?:signed )?(?:\[[^]]*\] )?([A-Za-z]\w*)(?: 
 _BELOW = re.compile(r"^  (?:wire|reg) .*?\\(\S+\.([A-Za-z]\w*)) ", re.MULTILINE)
 _UNNAMED = re.compile(r"\bgenblk\d+\.")
 """Scopes that yosys makes up where the design names none."""
+_CLOCK = re.compile(r"^  wire input \d+ \\(?:clk|\w+_clk)$", re.MULTILINE)
+
+_TICKS = """
+module \\$_DFF_P_ (input D, C, output Q);
+    wire next = C ? D : Q;
+    \\$_FF_ _TECHMAP_REPLACE_ (.D(next), .Q(Q));
+endmodule
+"""
+"""Registers of several clocks as those of one: each holds but in the steps in which its own clock ticks."""
 
 
 class NetlistError(RuntimeError):
@@ -145,6 +154,8 @@ def design(mutated: Netlist) -> Design:
     """The netlist, with all its mutants, as the solver takes it. Raises NetlistError."""
     folder = mutated.folder
     at = folder.relative_to(sources.ROOT)
+    several = len(_CLOCK.findall((folder / "netlist.il").read_text())) > 1
+    (folder / "ticks.v").write_text(_TICKS)
     yosys(
         folder,
         "graph",
@@ -161,6 +172,7 @@ def design(mutated: Netlist) -> Design:
                 "opt_clean",
                 "dffunmap",
                 "simplemap",
+                *([f"techmap -map {at}/ticks.v", "simplemap"] if several else []),
                 "aigmap",
                 "setundef -zero",
                 "opt_clean",

@@ -1,5 +1,6 @@
 """The solver on designs of a few gates, whose mutants are equivalent or not by construction."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from itertools import chain, count
 
@@ -146,13 +147,37 @@ def test_without_an_answer_a_mutant_is_undecided() -> None:
     assert Solver(it.design(out), seconds=0).decide(1).verdict is Verdict.UNDECIDED
 
 
-def test_of_two_clocks_only_what_holds_in_every_state_is_proven() -> None:
-    it = _Builder(latches=1)
-    design = it.design(it.latch[0], it.differ(it.a, it.select))
-    two = Design(
-        (*design.inputs[:2], ("clk", 0), ("pixel_clk", 0)), design.next, design.outputs, design.gates
+def _toggled_by_two_clocks(after_other: Callable[[_Builder, int], int]) -> Design:
+    """Two registers that a reset of both clears. The first is turned over by its clock, `a`; what the second
+    one takes is ``after_other`` of the first. The mutant shows where only the first is set."""
+    it = _Builder(latches=2)
+    first, second = it.latch
+    after_first = it.both(it.rst ^ 1, it.differ(first, it.a))
+    after_second = it.both(it.rst ^ 1, after_other(it, second))
+    out = it.either(it.b, it.both(it.select, it.both(first, second ^ 1)))
+    design = it.design(out, after_first, after_second)
+    return replace(design, inputs=(*design.inputs[:2], ("clk", 0), ("pixel_clk", 0)))
+
+
+def test_of_two_clocks_one_ticks_without_the_other() -> None:
+    by_other = _toggled_by_two_clocks(lambda it, second: it.differ(second, it.b))
+    found = Solver(by_other).decide(1)
+    assert found.verdict is Verdict.SHOWN
+    assert found.witness[0]["clk"] == found.witness[0]["pixel_clk"] == 1
+    assert any(step["clk"] != step["pixel_clk"] for step in found.witness)
+    by_one = _toggled_by_two_clocks(lambda it, second: it.differ(second, it.a))
+    assert Solver(by_one).decide(1).verdict is Verdict.EQUIVALENT
+
+
+def test_a_reset_of_either_side_is_one() -> None:
+    it = _Builder(latches=2)
+    first, second = it.latch
+    design = it.design(
+        it.both(it.select ^ 1, it.both(first, second)), it.both(it.rst ^ 1, first), it.both(it.a ^ 1, second)
     )
-    assert Solver(two).decide(1).verdict is Verdict.UNDECIDED
+    two = replace(design, inputs=(*design.inputs[:2], ("pixel_rst", 0), ("b", 0)))
+    assert two.begun == {"rst", "pixel_rst"}
+    assert Solver(two).decide(1).verdict is Verdict.EQUIVALENT
 
 
 def test_an_undecided_mutant_counts_against_the_score() -> None:
