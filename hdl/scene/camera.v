@@ -17,7 +17,8 @@
 //                   where C = P, RT_FAULT_CAMERA_UP where up is parallel to C - P (or zero),
 //                   RT_FAULT_NONE otherwise
 //   base, column_*, row_*   see ray_generator; they hold from done to the next start
-//   vector_valid, vector    to the normaliser, WIDE_W bits a component
+//   vector_valid, vector    to the normaliser, WIDE_W bits a component; three vectors, none where
+//                   there is a fault
 //   unit_valid, unit        from the normaliser, in the order asked
 //
 // Latency from start to done 2 normalisations (unit_vector), 6 divisions (1 + RT_SPAN_W each), 3 times
@@ -232,8 +233,10 @@ module camera #(
     wire [SPAN_W-1:0] quotient;
     wire [SIZE_W-1:0] remainder;
     reg [6*SIZE_W-1:0] remainder_reg;
-    wire divider_ready;
-    wire divide = state_reg == S_DIVIDE && !asked_reg;
+    // Its results are taken at once, so the divider is ready whenever it is asked.
+    wire unused_ready;
+    wire dividing = state_reg == S_DIVIDE;
+    wire divide = dividing && !asked_reg;
 
     always @(posedge clk) begin
         if (collect_valid && spanning) begin
@@ -247,13 +250,9 @@ module camera #(
     end
 
     always @(posedge clk) begin
-        if (state_reg != S_DIVIDE) begin
-            divided_reg <= 3'd0;
-            asked_reg   <= 1'b0;
-        end else if (quotient_valid) begin
-            divided_reg <= divided_reg + 1'b1;
-            asked_reg   <= 1'b0;
-        end else if (divider_ready) asked_reg <= 1'b1;
+        asked_reg <= dividing && !quotient_valid;
+        if (!dividing) divided_reg <= 3'd0;
+        else if (quotient_valid) divided_reg <= divided_reg + 1'b1;
     end
 
     div_iter #(
@@ -263,7 +262,7 @@ module camera #(
         .clk      (clk),
         .rst      (rst),
         .in_valid (divide),
-        .in_ready (divider_ready),
+        .in_ready (unused_ready),
         .num      (span_reg[5*SPAN_W+:SPAN_W]),
         .den      (divided_reg < 3'd3 ? width : height),
         .out_valid(quotient_valid),

@@ -167,19 +167,20 @@ module refract #(
         .p        (bent)
     );
 
-    // 1 - c^2
-    localparam [SQUARE_W-1:0] SQUARE_ONE = {{SQUARE_W - 1{1'b0}}, 1'b1} << SQUARE_FRAC;
+    // 1 - c^2, both within 0 to 1
+    localparam [SQUARE_FRAC:0] SQUARE_ONE = {1'b1, {SQUARE_FRAC{1'b0}}};
+    wire unused_square = square[SQUARE_W-1];
     wire [SINE_SQ_W-1:0] sine_sq_next;
     reg [SINE_SQ_W-1:0] sine_sq_reg;
 
     resize #(
-        .IN_INT    (SQUARE_W - SQUARE_FRAC),
+        .IN_INT    (2),
         .IN_FRAC   (SQUARE_FRAC),
         .OUT_INT   (`RT_SINE_SQ_INT),
         .OUT_FRAC  (`RT_SINE_SQ_FRAC),
         .OUT_SIGNED(0)
     ) u_sine_sq (
-        .in (SQUARE_ONE - square),
+        .in ({1'b0, SQUARE_ONE - square[SQUARE_FRAC:0]}),
         .out(sine_sq_next)
     );
 

@@ -320,11 +320,9 @@ module intersection #(
     function [3*UNIT_W-1:0] turned;
         input [3*UNIT_W-1:0] vector;
         input [1:0] longest;
-        case (longest)
-            2'd2: turned = {vector[0+:2*UNIT_W], vector[2*UNIT_W+:UNIT_W]};
-            2'd1: turned = {vector[0+:UNIT_W], vector[UNIT_W+:2*UNIT_W]};
-            default: turned = vector;
-        endcase
+        if (longest[1]) turned = {vector[0+:2*UNIT_W], vector[2*UNIT_W+:UNIT_W]};
+        else if (longest[0]) turned = {vector[0+:UNIT_W], vector[UNIT_W+:2*UNIT_W]};
+        else turned = vector;
     endfunction
 
     wire [3*UNIT_W-1:0] ray = turned(direction_at_along, axis);
@@ -471,7 +469,7 @@ module intersection #(
     wire unused_bank3_valid;
     wire unused_bank3_tag;
 
-    // Corner 2 is A: edge 2 is AB, edge 1 BC, edge 0 CA.
+    // Corner 2 is A: edge 2 is AB, edge 1 BC, edge 0 CA. A sphere's squares are in lane 0 of each.
     generate
         for (corner = 0; corner < 3; corner = corner + 1) begin : g_bank3
             localparam NEXT = (corner + 2) % 3;
@@ -482,11 +480,12 @@ module intersection #(
             for (lane = 0; lane < 2; lane = lane + 1) begin : g_operand
                 wire [UNIT_W-1:0] left = here[lane*UNIT_W+:UNIT_W];
                 wire [UNIT_W-1:0] right = there[(1-lane)*UNIT_W+:UNIT_W];
+                wire is_area = lane == 1 || kind_at_offset;
                 wire [WIDE_W-1:0] q_wide = {{WIDE_W - OFFSET_W + 1{q[OFFSET_W-1]}}, q[OFFSET_W-2:0]};
                 assign bank3_a[(2*corner+lane)*WIDE_W+:WIDE_W] =
-                    kind_at_offset ? {{WIDE_W - UNIT_W + 1{left[UNIT_W-1]}}, left[UNIT_W-2:0]} : q_wide;
+                    is_area ? {{WIDE_W - UNIT_W + 1{left[UNIT_W-1]}}, left[UNIT_W-2:0]} : q_wide;
                 assign bank3_b[(2*corner+lane)*WIDE_W+:WIDE_W] =
-                    kind_at_offset ? {{WIDE_W - UNIT_W + 1{right[UNIT_W-1]}}, right[UNIT_W-2:0]} : q_wide;
+                    is_area ? {{WIDE_W - UNIT_W + 1{right[UNIT_W-1]}}, right[UNIT_W-2:0]} : q_wide;
             end
         end
     endgenerate
@@ -540,9 +539,11 @@ module intersection #(
     );
 
     // ------------------------------------------------ discriminant = r^2 - q.q
-    localparam DISCRIMINANT_W = AREA_W + 2;
+    // A component of q is at most 2^(OFFSET_W - 1) in size: three squares need no third bit more.
+    localparam SQUARES_W = 2 * OFFSET_W;
+    localparam DISCRIMINANT_W = SQUARES_W + 1;
     localparam RADICAND_W = 2 * ROOT_W;
-    reg [DISCRIMINANT_W-1:0] sum_reg;
+    reg [SQUARES_W-1:0] sum_reg;
     reg [DISCRIMINANT_W-1:0] discriminant_reg;
     wire [RADIUS_SQ_W-1:0] radius_sq;
 
@@ -557,14 +558,13 @@ module intersection #(
     );
 
     always @(posedge clk) begin
-        // A square is not negative: two zero bits on top.
-        sum_reg <= {2'b0, bank3[4*AREA_W+:AREA_W]} + {2'b0, bank3[2*AREA_W+:AREA_W]}
-                 + {2'b0, bank3[0+:AREA_W]};
+        sum_reg <= bank3[4*AREA_W+:SQUARES_W] + bank3[2*AREA_W+:SQUARES_W]
+                 + bank3[0+:SQUARES_W];
         discriminant_reg <= {
             {DISCRIMINANT_W - RADIUS_SQ_W - 2 * FRAC + `RT_RADIUS_SQ_FRAC{1'b0}},
             radius_sq,
             {2 * FRAC - `RT_RADIUS_SQ_FRAC{1'b0}}
-        } - sum_reg;
+        } - {1'b0, sum_reg};
     end
 
     wire unused_discriminant = &{1'b0, discriminant_reg[DISCRIMINANT_W-2:RADICAND_W]};

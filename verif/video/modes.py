@@ -50,3 +50,6 @@ TALL = Mode("tall", 1, Axis(2, 1, 1, 1), Axis(4093, 1, 1, 1))
 
 TIGHT = Mode("tight", 1, Axis(13, 1, 1, 1), Axis(5, 1, 1, 1, positive=True))
 """A line of 16 clocks and 8 lines: the counters use all their values; nothing is longer than it must be."""
+
+ODD = Mode("odd", 1, Axis(10, 1, 1, 3), Axis(12, 1, 1, 1))
+"""A line of 15 clocks and 15 lines, so that what turns over in each of them does not come out even."""

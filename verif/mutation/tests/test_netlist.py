@@ -1,9 +1,12 @@
 """What the solver is given of a netlist."""
 
+from collections.abc import Mapping
+
 from verif.env.sources import relative
 from verif.mutation import netlist
 from verif.mutation.aig import FALSE, TRUE, Design, Graph, Run
-from verif.mutation.netlist import FOLDER, Netlist
+from verif.mutation.netlist import Netlist
+from verif.mutation.record import FOLDER
 
 _TWO_CLOCKS = """
 module two_clocks (input clk, pixel_clk, d, output reg q, pixel_q);
@@ -23,13 +26,23 @@ def _two_clocks() -> Design:
     return netlist.design(Netlist("two_clocks", (), (), folder))
 
 
+def _after(design: Design, inputs: Mapping[str, int], held: int) -> dict[str, int]:
+    """Outputs behind a step with these inputs, of registers that all hold the same."""
+
+    def given(position: int, _clock: int) -> int:
+        return inputs[design.inputs[position][0]]
+
+    run = Run(design, Graph(), given, lambda _: held)
+    return {port: run.literal(literal, 1) for (port, _), literal in design.outputs.items()}
+
+
 def test_a_register_takes_its_next_value_where_its_own_clock_ticks() -> None:
     design = _two_clocks()
     assert design.clocks == {"clk", "pixel_clk"}
     for clk, pixel_clk in ((FALSE, FALSE), (TRUE, FALSE), (FALSE, TRUE), (TRUE, TRUE)):
         inputs = {"clk": clk, "pixel_clk": pixel_clk, "d": TRUE}
-        run = Run(design, Graph(), lambda at, _, given=inputs: given[design.inputs[at][0]], lambda _: FALSE)
-        q, pixel_q = (run.literal(design.outputs[port, 0], 1) for port in ("q", "pixel_q"))
-        assert (q, pixel_q) == (clk, pixel_clk)
-    held = Run(design, Graph(), lambda *_: FALSE, lambda _: TRUE)
-    assert {held.literal(literal, 1) for literal in design.outputs.values()} == {TRUE}
+        assert _after(design, inputs, FALSE) == {"q": clk, "pixel_q": pixel_clk}
+    assert _after(design, {"clk": FALSE, "pixel_clk": FALSE, "d": FALSE}, TRUE) == {
+        "q": TRUE,
+        "pixel_q": TRUE,
+    }

@@ -34,6 +34,8 @@ _BASE = Field.of("base", _FORMATS.screen, lanes=3)
 CLOCKS = LATENCY["camera"]({"SIZE_W": _SIZE_W})
 """From start to done, without a fault."""
 _LIMIT = 4 * CLOCKS
+_VECTORS = 3
+"""Those that are normalised: the view, u and v."""
 
 
 @dataclass(frozen=True)
@@ -126,6 +128,7 @@ class CameraBench(Block):
         clocks = await self.until("done", _LIMIT)
         fault = Fault(self.read("fault"))
         same(f"fault of {drawn} with {size}", expected_fault(drawn, size), fault)
+        same("vectors that the normaliser was given", 0 if fault else _VECTORS, self.read("asked"))
         if fault is Fault.NONE:
             same("clocks from start to done", CLOCKS, clocks)
             self.compare(model(drawn, size, _FORMATS), size)

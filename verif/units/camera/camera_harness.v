@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // camera_harness: the camera and a normaliser of its own, as the core wires them.
+//
+// asked: vectors that the normaliser has been given since the last start; 15 stands for more too.
 
 `default_nettype none
 `include "raytracer.vh"
@@ -27,7 +29,8 @@ module camera_harness #(
     output wire [               2:0] column_negative,
     output wire [  3*`RT_SPAN_W-1:0] row_quotient,
     output wire [      3*SIZE_W-1:0] row_remainder,
-    output wire [               2:0] row_negative
+    output wire [               2:0] row_negative,
+    output wire [               3:0] asked
 );
 
     wire vector_valid;
@@ -85,6 +88,15 @@ module camera_harness #(
         .shift     (unused_shift),
         .degenerate(unused_degenerate)
     );
+
+    reg [3:0] asked_reg;
+
+    always @(posedge clk) begin
+        if (start) asked_reg <= 4'd0;
+        else if (vector_valid && asked_reg != 4'd15) asked_reg <= asked_reg + 1'b1;
+    end
+
+    assign asked = asked_reg;
 
 endmodule
 

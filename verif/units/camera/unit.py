@@ -20,7 +20,7 @@ UNIT = Unit(
             "wire no_size = width == {SIZE_W{1'b0}} || height == {SIZE_W{1'b0}};",
             "wire no_size = width == {SIZE_W{1'b0}};",
         ),
-        Break("scene/camera.v", "if (state_reg != S_DIVIDE) begin", "if (rst) begin"),
+        Break("scene/camera.v", "if (!dividing) divided_reg", "if (rst) divided_reg"),
         Break(
             "scene/camera.v",
             "wire view_zero = view_reg == {3 * VIEW_W{1'b0}};",

@@ -33,7 +33,9 @@ from verif.units.refract.unit import UNIT, eta, meeting
 _ROOT_3 = float(np.sqrt(3.0))
 _NEARLY = 4.0
 """Steps that the length of a truncated unit vector may be off: sqrt 3, and some."""
-_SYMMETRY_STREAM = 1 << 18
+_SYMMETRY_STREAM, _BEYOND_STREAM = 1 << 18, 1 << 19
+_BEYOND = 64
+"""Steps beyond -1 of which every one is looked at: a cosine's rounding is a few."""
 
 
 @dataclass(frozen=True)
@@ -206,6 +208,19 @@ async def a_ray_that_is_turned_round_goes_back_where_it_came_from(
         raise Mismatch(f"{wrong.size} of {count(given)} rays do not go back, as\n{text}")
 
 
+async def a_cosine_beyond_head_on_is_held_there(bench: PipelinedBench, run: Context) -> None:
+    """Just beyond, by any number of steps that rounding could make and by each power of two: as at -1."""
+    fmts = selected(run.parameters)
+    excess = np.union1d(np.arange(1, _BEYOND), 1 << np.arange(fmts.unit.frac_bits))
+    drawn = mixed(bench.unit, run.generator(_BEYOND_STREAM), run, excess.size)
+    given, got = await bench.answers({**drawn, "cosine": -fmts.unit.one - excess})
+    _, held = await bench.answers({**drawn, "cosine": np.full_like(excess, -fmts.unit.one)})
+    different = (got["transmitted"] != held["transmitted"]).any(axis=0) | (got["total"] != held["total"])
+    if (wrong := np.flatnonzero(different)).size:
+        text = describe_all(bench.unit.inputs(run.parameters), given, int(wrong[0]))
+        raise Mismatch(f"{wrong.size} of {excess.size} cosines are not held, as\n{text}")
+
+
 globals().update(
     standard_tests(
         UNIT,
@@ -216,6 +231,6 @@ globals().update(
         reflection_is_total_just_where_the_root_has_no_number,
         total_reflection_is_the_mirror_image,
         ray_goes_straight_on_where_the_index_is_that_of_the_air,
-        more=(a_ray_that_is_turned_round_goes_back_where_it_came_from,),
+        more=(a_ray_that_is_turned_round_goes_back_where_it_came_from, a_cosine_beyond_head_on_is_held_there),
     )
 )

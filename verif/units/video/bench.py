@@ -5,13 +5,14 @@ from itertools import pairwise
 from typing import Any
 
 import cocotb
-from cocotb.triggers import Timer
+from cocotb.triggers import FallingEdge, RisingEdge, Timer
 from hypothesis import strategies as st
 
 from models.images import Rgb
 from models.video import screen
 from verif.env import context
 from verif.env.block import holds, same
+from verif.env.pipelined import Mismatch
 from verif.video.clocks import PIXEL_PS, Clocks, Ratio, ratios
 from verif.video.modes import mode_of, store_of
 from verif.video.pictures import Shot, check_order, extremes, shots
@@ -29,6 +30,7 @@ class VideoBench:
 
     def __init__(self, dut: Any) -> None:
         self.run = context.read()
+        self._dut = dut
         self.store = store_of(self.run.parameters)
         self.mode = mode_of(self.run.parameters)
         self.full = Shot(self.store.width, self.store.height)
@@ -62,6 +64,32 @@ class VideoBench:
         shown = check_order(self.seen, [screen(picture, self.mode, self.store) for picture in pictures])
         self.sender.check()
         return shown
+
+    async def bright(self, pixels: int) -> None:
+        """Waits until so many pixels that are not black have been seen."""
+        seen = 0
+        for _ in range(2 * self.mode.clocks * pixels):
+            await self.clocks.pixel_edge
+            seen += any(self.now[:3])
+            if seen == pixels:
+                return
+        raise Mismatch(f"{seen} pixels are not black, {pixels} were awaited")
+
+    async def in_reset(self) -> bool:
+        """Half a pixel clock later: whether the screen's side is in reset."""
+        await FallingEdge(self._dut.pixel_clk)
+        return bool(self._dut.pixel_rst.value)
+
+    @property
+    def now(self) -> tuple[int, ...]:
+        """r, g, b, de, hsync, vsync at this moment."""
+        dut = self._dut
+        return tuple(int(wire.value) for wire in (dut.r, dut.g, dut.b, dut.de, dut.hsync, dut.vsync))
+
+    @property
+    def at_rest(self) -> tuple[int, ...]:
+        """`now` of a screen in reset."""
+        return 0, 0, 0, 0, int(not self.mode.horizontal.positive), int(not self.mode.vertical.positive)
 
     async def all_shown(self, pictures: int) -> None:
         """See `verif.video.scenarios.Screen`."""
@@ -201,3 +229,24 @@ async def reset_of_the_screen_begins_with_black(dut: Any) -> None:
     waits = st.integers(1, 4 * bench.mode.clocks)
     sent = st.lists(shots(bench.store), min_size=2, max_size=6)
     await holds(bench.run, example, ratios(), sent, waits, st.integers(0, 5), cost=2)
+
+
+@cocotb.test()
+async def the_screen_is_black_and_its_syncs_rest_in_reset(dut: Any) -> None:
+    """From the first clock of reset, which comes while a picture's pixels are seen, to the last one."""
+    bench = VideoBench(dut)
+
+    async def example(ratio: Ratio, pixels: int, more: int) -> None:
+        await bench.restart(ratio)
+        await bench.sender.send([bench.full])
+        await bench.watch(1)
+        await bench.bright(pixels)
+        reset = cocotb.start_soon(bench.clocks.pixel_reset(more))
+        await RisingEdge(dut.pixel_rst)
+        await bench.clocks.pixel_edge
+        while await bench.in_reset():
+            same("screen in reset", bench.at_rest, bench.now)
+        await reset
+
+    pixels = st.integers(1, bench.store.width * bench.store.height)
+    await holds(bench.run, example, ratios(), pixels, st.integers(0, 5), cost=4)

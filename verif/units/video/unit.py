@@ -2,7 +2,7 @@
 
 from models.video import Mode, Store
 from verif.env.unit import Break, Unit
-from verif.video.modes import MIXED, SMALL, TALL, TIGHT, WIDE, mode_parameters, store_parameters
+from verif.video.modes import MIXED, ODD, SMALL, TALL, TIGHT, WIDE, mode_parameters, store_parameters
 
 
 def _set(store: Store, mode: Mode) -> dict[str, int]:
@@ -18,7 +18,7 @@ UNIT = Unit(
     sets={
         "mixed": _set(Store(6, 4, 24), MIXED),
         "tight": _set(Store(13, 5, 8), TIGHT),
-        "tight_doubled": _set(Store(6, 2, 8), TIGHT),
+        "odd_doubled": _set(Store(5, 6, 8), ODD),
         "wide": _set(Store(4093, 2, 8), WIDE),
         "tall": _set(Store(2, 4093, 8), TALL),
     },
