@@ -12,7 +12,8 @@
 //
 // Ports
 //   start           takes position P, up and center C {x, y, z} (RT_COORD), width and height,
-//                   tan_h and tan_v (RT_TAN); they hold still until done
+//                   tan_h and tan_v (RT_TAN); they hold still until done, and until then a start is
+//                   ignored
 //   done, fault     one clock; RT_FAULT_SIZE where width or height is 0, RT_FAULT_CAMERA_POSITION
 //                   where C = P, RT_FAULT_CAMERA_UP where up is parallel to C - P (or zero),
 //                   RT_FAULT_NONE otherwise
@@ -236,6 +237,8 @@ module camera #(
     // Its results are taken at once, so the divider is ready whenever it is asked.
     wire unused_ready;
     wire dividing = state_reg == S_DIVIDE;
+    // It counts to 5 and no further.
+    wire divided_last = divided_reg[2] && divided_reg[0];
     wire divide = dividing && !asked_reg;
 
     always @(posedge clk) begin
@@ -358,7 +361,7 @@ module camera #(
             S_ASK_V: state_next = S_WAIT_V;
             S_WAIT_V: if (unit_valid) state_next = S_SPANS;
             S_SPANS: if (collected) state_next = S_DIVIDE;
-            S_DIVIDE: if (quotient_valid && divided_reg == 3'd5) state_next = S_DONE;
+            S_DIVIDE: if (quotient_valid && divided_last) state_next = S_DONE;
             default: state_next = S_IDLE;
         endcase
     end

@@ -122,10 +122,15 @@ class CameraBench(Block):
         for name, wanted, found in zip(names, expected, (got.base, got.column, got.row), strict=True):
             same(name, wanted[:, 0].tolist(), found.tolist())
 
-    async def run(self, drawn: Camera, size: Registers) -> Fault:
-        """One set-up; its fault. Without one it took as long as promised and matches the model."""
+    async def run(self, drawn: Camera, size: Registers, starts: int = 0) -> Fault:
+        """One set-up; its fault. Without one it took as long as promised and matches the model.
+
+        starts: value of `start` behind the first clock, until done.
+        """
         await self.start(drawn, size)
+        self.set(start=starts)
         clocks = await self.until("done", _LIMIT)
+        self.set(start=0)
         fault = Fault(self.read("fault"))
         same(f"fault of {drawn} with {size}", expected_fault(drawn, size), fault)
         same("vectors that the normaliser was given", 0 if fault else _VECTORS, self.read("asked"))
@@ -272,6 +277,20 @@ async def one_bit_of_a_size_or_of_a_view_is_enough(dut: Any) -> None:
         up = np.roll((1, 0, 0), axis + 1)
         drawn = Camera(*(cast(Vec3, tuple(place.tolist())) for place in (position, up, center)))
         same(f"{drawn}", Fault.NONE, await bench.run(drawn, Registers(3, 2, tangent, tangent)))
+
+
+@cocotb.test()
+async def a_start_before_done_is_ignored(dut: Any) -> None:
+    """High in every clock of a set-up, whichever way it ends: nothing begins anew."""
+    bench = await CameraBench.create(dut)
+
+    async def example(drawn: Camera, size: Registers) -> None:
+        await bench.run(drawn, size, starts=1)
+        for _ in range(CLOCKS):
+            await bench.clock()
+            same("done behind it", 0, bench.read("done"))
+
+    await holds(context.read(), example, _any_camera(), _sizes())
 
 
 @cocotb.test()

@@ -2,7 +2,7 @@
 //
 // camera_harness: the camera and a normaliser of its own, as the core wires them.
 //
-// asked: vectors that the normaliser has been given since the last start; 15 stands for more too.
+// asked: vectors that the normaliser has been given since reset or the last done; 15 stands for more too.
 
 `default_nettype none
 `include "raytracer.vh"
@@ -92,7 +92,7 @@ module camera_harness #(
     reg [3:0] asked_reg;
 
     always @(posedge clk) begin
-        if (start) asked_reg <= 4'd0;
+        if (rst || done) asked_reg <= 4'd0;
         else if (vector_valid && asked_reg != 4'd15) asked_reg <= asked_reg + 1'b1;
     end
 

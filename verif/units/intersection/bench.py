@@ -15,10 +15,12 @@ from verif.units.intersection import patches, sphere_truth, triangle_truth, tria
 from verif.units.intersection.patches import FAN, PAIR, Patch
 from verif.units.intersection.unit import UNIT, alternating
 
-_ALTERNATING_STREAM, _SIDES_STREAM, _GAPS_STREAM, _TIES_STREAM = (1 << bit for bit in range(18, 22))
+_ALTERNATING_STREAM, _SIDES_STREAM, _GAPS_STREAM, _TIES_STREAM, _CORNERS_STREAM = (
+    1 << bit for bit in range(18, 23)
+)
 _SHARE = 5
 """Each test below gets this part of a fast stream."""
-_ENOUGH_WITHIN = 0.2
+_ENOUGH_WITHIN, _ENOUGH_DECIDED = 0.2, 0.15
 
 
 def no_hit_is_nearer_than_the_smallest_distance_or_at_the_limit(
@@ -73,6 +75,19 @@ async def of_components_about_as_long_the_same_one_leads_as_in_the_model(
     assert _ENOUGH_WITHIN < hits < 1 - _ENOUGH_WITHIN, f"of {size} rays at edges {hits:.0%} hit"
 
 
+async def of_short_directions_at_corners_the_lowest_bits_decide(
+    bench: PipelinedBench, run: context.Context
+) -> None:
+    """As in the model; a ray that is moved by one step often meets the triangle where it did not."""
+    size, fmts = run.operands // _SHARE, selected(run.parameters)
+    drawn = triangles.past_corners(run.generator(_CORNERS_STREAM), size, fmts)
+    await bench.run(drawn)
+    moved = {**drawn, "origin": fmts.point.saturate(drawn["origin"] + 1)}
+    hits, others = (UNIT.model(run.parameters, operands)["hit"] for operands in (drawn, moved))
+    decided = (hits != others).mean()
+    assert decided > _ENOUGH_DECIDED, f"of {size} rays at corners a step decides {decided:.1%}"
+
+
 async def no_ray_passes_between_two_triangles_that_share_an_edge(
     bench: PipelinedBench, run: context.Context
 ) -> None:
@@ -120,6 +135,7 @@ globals().update(
             spheres_and_triangles_in_turn_do_not_disturb_each_other,
             both_sides_of_a_triangle_are_hit_at_the_same_distance,
             of_components_about_as_long_the_same_one_leads_as_in_the_model,
+            of_short_directions_at_corners_the_lowest_bits_decide,
             no_ray_passes_between_two_triangles_that_share_an_edge,
             no_ray_passes_between_the_triangles_around_a_corner,
         ),

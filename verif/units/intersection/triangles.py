@@ -13,6 +13,9 @@ from verif.env.vectors import Floats
 
 Corners = tuple[Raw, Raw, Raw]
 
+_SHORTER = 6
+"""Directions of 2^-6 and more reach a corner whose mantissa is full within the greatest distance of a hit."""
+
 
 def corners(generator: Generator, size: int, fmts: Formats) -> Corners:
     """Corners (3, n) in `coord`: of all sizes, near 0, anywhere, at the range's edge; slivers, axis-aligned
@@ -97,6 +100,32 @@ def past_edges(generator: Generator, size: int, fmts: Formats) -> Operands:
     turn = (np.arange(3)[:, None] + generator.integers(0, 3, size)) % 3
     weight = np.take_along_axis(weight, turn, axis=0)
     return _aimed(generator, corners(generator, size, fmts), _ties(generator, size, fmts), weight, fmts)
+
+
+def past_corners(generator: Generator, size: int, fmts: Formats) -> Operands:
+    """Rays through corners, to a step, along directions so short that their products have few bits: the
+    lowest ones decide whether the triangle is hit, and where.
+
+    A corner is as many of its direction away as its mantissa holds, and no farther than a hit may be.
+    """
+    corner = corners(generator, size, fmts)
+    longest = fmts.unit.one >> _SHORTER
+    direction = generator.integers(-longest, longest, (3, size), endpoint=True)
+    leading = generator.integers(0, 3, size)[None, :] == np.arange(3)[:, None]
+    direction = np.where(leading, generator.choice([-longest, longest], size), direction)
+    reach = (1 << (fmts.unit.width - 1)) // longest
+    times = generator.integers(reach // 2, reach, size)
+    chosen = np.stack(corner)[generator.integers(0, 3, size), :, np.arange(size)].T
+    shift = fmts.point.frac_bits - fmts.coord.frac_bits
+    beside = generator.integers(-1, 1, (3, size), endpoint=True)
+    return {
+        "origin": fmts.point.saturate((chosen << shift) - direction * times + beside),
+        "direction": direction,
+        "limit": np.full(size, int(INFINITY * fmts.point.one)),
+        "triangle": np.ones(size, dtype=np.int64),
+        "shape": triangle_normals(*corner, fmts).normal,
+        "vertices": np.concatenate(corner),
+    }
 
 
 def _ties(generator: Generator, size: int, fmts: Formats) -> Raw:
