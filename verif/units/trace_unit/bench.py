@@ -93,9 +93,14 @@ def _lines(p: Parameters, own: Sequence[int], origin: Vec3, direction: Vec3) -> 
 
 
 _FACING: tuple[Vec3, Vec3, Vec3] = ((-4096, -4096, 0), (4096, -4096, 0), (0, 4096, 0))
-_DEEPEST = 1 << 15
-"""In steps of a coordinate."""
-_DEPTHS = 40
+_OCTAVES = range(12, 18)
+"""Of depths, in steps of a coordinate: from as far as the triangle is large to the greatest there is."""
+_DEPTHS = 6
+"""In each octave."""
+_RESOLVED = 9
+"""Depths differ in their distances where they are this many octaves less apart than they are deep."""
+_NEARER = 0.75
+"""Share of pairs of which the nearer is found if no distances of neighbours were different."""
 _HALF: Vec3 = (512, 512, 512)
 _AHEAD: tuple[Vec3, Vec3] = ((0, 0, -4), (0, 0, 1))
 
@@ -133,19 +138,22 @@ async def of_equal_distances_the_lowest_number_is_found_but_never_a_rays_own(dut
 
 @cocotb.test()
 async def of_distances_a_step_apart_the_one_that_the_model_finds_is_found(dut: Any) -> None:
-    """Two triangles across the ray whose depths are neighbours, in either order; the nearer, but where the
-    distances are rounded to the same."""
+    """Two triangles across the ray, in either order, near and far, of neighbouring depths and of such as are
+    clearly different: the nearer, but where the distances are rounded to the same."""
     bench, run = await _bench(dut)
-    generator, nearer = run.generator(6), 0
-    for depth in generator.integers(_FACING[1][0], _DEEPEST, _DEPTHS).tolist():
-        for depths in ((depth, depth + 1), (depth + 1, depth)):
-            triangles = [Triangle(material(_HALF), _at_depth(it)) for it in depths]
-            table = Table(scene((), triangles), run.parameters)
-            jobs = table.jobs(_lines(run.parameters, [MISS], BLACK, (0, 0, 1)), [False], generator)
-            hit = split(unit.hit(run.parameters), [jobs[0].result])
-            nearer += depths[int(hit["number"][0])] == depth
-            await bench.frame(table, jobs)
-    assert nearer > _DEPTHS, f"the nearer of {2 * _DEPTHS} pairs was found {nearer} times"
+    generator, found = run.generator(6), list[bool]()
+    for octave in [*_OCTAVES] * _DEPTHS:
+        clear = 1 << (octave - _RESOLVED)
+        nearer = (1 << octave) + int(generator.integers((1 << octave) - clear))
+        for farther in (nearer + 1, nearer + clear):
+            for depths in ((nearer, farther), (farther, nearer)):
+                triangles = [Triangle(material(_HALF), _at_depth(it)) for it in depths]
+                table = Table(scene((), triangles), run.parameters)
+                jobs = table.jobs(_lines(run.parameters, [MISS], BLACK, (0, 0, 1)), [False], generator)
+                hit = split(unit.hit(run.parameters), [jobs[0].result])
+                found.append(depths[int(hit["number"][0])] == nearer)
+                await bench.frame(table, jobs)
+    assert np.mean(found) > _NEARER, f"the nearer of {len(found)} pairs was found {sum(found)} times"
 
 
 _GRID = 6
